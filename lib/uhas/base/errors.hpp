@@ -1,0 +1,49 @@
+// Errors of the whole project: typed exceptions for set-up code, plain status numbers for the real-time path.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace uhas {
+
+/// Why set-up code (loading, building, reading, writing) refused its input. The numbers are part of the API.
+enum class ErrorCode : int {
+  file_unreadable = 1,      ///< missing, not a regular file, no permission
+  syntax = 2,               ///< not XML, not JSON, not a mesh of the named format
+  invalid_model = 3,        ///< a URDF that is no usable kinematic tree
+  invalid_mesh = 4,         ///< an empty or corrupt mesh
+  invalid_hand = 5,         ///< a model in which no hand can be found
+  invalid_config = 6,       ///< a hand config with an unknown key or an unusable value
+  invalid_profile = 7,      ///< damaged, alien or inconsistent hand profile
+  unsupported_version = 8,  ///< a format version this reader does not know
+  invalid_action = 9,       ///< actions of the wrong form, length or value
+  limit_exceeded = 10,      ///< larger than a stated bound
+  write_failed = 11,        ///< disk full, read-only folder, failed rename
+};
+
+/// The one exception type of the library. `what()` reads `file: problem; remedy`, ready to follow `tool: error: `.
+class Error : public std::runtime_error {
+ public:
+  /// @param file     file (and `:line`) the problem is in; may be empty
+  /// @param problem  what is wrong, no trailing full stop
+  /// @param remedy   what the user can do; may be empty
+  Error(ErrorCode code, const std::string& file, const std::string& problem, const std::string& remedy);
+
+  ErrorCode code() const noexcept { return code_; }
+
+ private:
+  ErrorCode code_;
+};
+
+/// Result of a call on the real-time path. The numbers are part of the API.
+enum class Status : int {
+  ok = 0,
+  non_finite_input = 1,         ///< NaN or infinity in the input; the output is untouched
+  wrong_size = 2,               ///< a span of the wrong length; the output is untouched
+  invalid_driving_vectors = 3,  ///< driving-vector angles not strictly increasing in (0, pi); the output is untouched
+};
+
+/// A short English sentence for `status`; never null.
+const char* to_string(Status status) noexcept;
+
+}  // namespace uhas

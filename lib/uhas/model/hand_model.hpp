@@ -1,0 +1,58 @@
+// The hand model: a URDF and its meshes as plain data. Metres and radians; meshes are in the frame of their link.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "uhas/base/kinematic_tree.hpp"
+#include "uhas/profile/hand_profile.hpp"
+
+namespace uhas {
+
+/// Triangles in the frame of the link they belong to (m). No degenerate triangle, every index in range.
+struct TriangleMesh {
+  std::vector<Vector3d> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+/// A link of the URDF.
+struct ModelLink {
+  std::string name;
+  int parent_link = -1;          ///< link the URDF hangs it on; -1 = the root link
+  int joint = -1;                ///< index into `HandModel::tree` of the movable joint that carries it; -1 = fixed to the root
+  RigidTransformd T_joint_link;  ///< link frame in that joint's moved frame (in the root link's frame for -1)
+  TriangleMesh mesh;             ///< all geometry of the link, merged; empty when it has none
+};
+
+/// A URDF, read and checked. Links are ordered so that every parent precedes its children, siblings by name, so that the
+/// order of elements in the file does not matter; joints follow the order of their child links.
+struct HandModel {
+  std::string name;
+  std::vector<ModelLink> links;       ///< links[0] is the root
+  KinematicTree tree;                 ///< movable joints; root frame = the root link's frame
+  std::vector<SourceFile> sources;    ///< the URDF first, then each mesh file once, in order of use
+  std::vector<std::string> warnings;  ///< things a user should know, each a sentence
+};
+
+enum class GeometrySource : int { visual = 0, collision = 1, both = 2 };
+
+/// A folder that `package://NAME/` stands for.
+struct PackageFolder {
+  std::string name, folder;
+};
+
+struct LoadOptions {
+  GeometrySource geometry = GeometrySource::visual;  ///< visual falls back to collision for a link without visual, and the reverse
+  std::vector<PackageFolder> packages;
+  bool load_meshes = true;                           ///< false: skeleton only
+  std::uint64_t max_urdf_bytes = 16u << 20;
+  std::uint64_t max_mesh_bytes = 512u << 20;
+  std::uint64_t max_triangles = 20'000'000;          ///< over the whole hand
+};
+
+/// Reads a URDF and every mesh it names.
+/// Throws Error: file_unreadable, syntax, invalid_model, invalid_mesh, limit_exceeded.
+HandModel load_hand_model(const std::string& urdf_path, const LoadOptions& options = {});
+
+}  // namespace uhas

@@ -1,0 +1,29 @@
+#include "uhas/runtime/forward_kinematics.hpp"
+
+#include <algorithm>
+
+namespace uhas {
+
+void apply_mimics(const KinematicTree& tree, std::span<double> q) {
+  for (std::size_t i = 0; i < tree.joints.size(); ++i) {
+    const Joint& joint = tree.joints[i];
+    if (joint.mimic_master >= 0) q[i] = joint.mimic_multiplier * q[joint.mimic_master] + joint.mimic_offset;
+  }
+}
+
+RigidTransformd joint_motion(const Joint& joint, double q) {
+  if (joint.kind == JointKind::prismatic) return {{}, q * joint.axis};
+  return {Rotationd::about(joint.axis, q), {}};
+}
+
+void forward_kinematics(const KinematicTree& tree, std::span<const double> q, std::span<RigidTransformd> T_root_joint) {
+  for (std::size_t i = 0; i < tree.joints.size(); ++i) {
+    const Joint& joint = tree.joints[i];
+    const RigidTransformd T_parent_moved = joint.T_parent_joint * joint_motion(joint, q[i]);
+    T_root_joint[i] = joint.parent < 0 ? T_parent_moved : T_root_joint[joint.parent] * T_parent_moved;
+  }
+}
+
+double clamp_to_limits(const Joint& joint, double q) { return std::clamp(q, joint.lower, joint.upper); }
+
+}  // namespace uhas

@@ -1,0 +1,23 @@
+// Forward kinematics of a tree of joints: the one implementation of the project, for stages and runtime alike.
+#pragma once
+
+#include <span>
+
+#include "uhas/base/kinematic_tree.hpp"
+
+namespace uhas {
+
+/// Overwrites every mimic follower in `q` by multiplier * q[master] + offset. `q`: one value a joint of `tree`.
+void apply_mimics(const KinematicTree& tree, std::span<double> q);
+
+/// Transform of a joint's moved frame relative to its frame at q = 0: a turn about, or a shift along, the axis.
+RigidTransformd joint_motion(const Joint& joint, double q);
+
+/// `T_root_joint[i]` = joint i's moved frame in the tree's root frame. Both spans hold one element a joint of `tree`;
+/// `q` is taken as it is (see `apply_mimics`).
+void forward_kinematics(const KinematicTree& tree, std::span<const double> q, std::span<RigidTransformd> T_root_joint);
+
+/// `q` held within the joint's limits.
+double clamp_to_limits(const Joint& joint, double q);
+
+}  // namespace uhas

@@ -1,0 +1,36 @@
+// Correspondences: points of the hand's surface and their fixed coordinates on the sphere (paper, section 3.2; design 3.4).
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "uhas/sphere_frame/sphere_frame.hpp"
+
+namespace uhas {
+
+struct CorrespondenceOptions {
+  int samples = 20000;               ///< directions cast from the sphere's centre
+  double max_radius_deviation = 0.5; ///< a hit further than this from the sphere, |rho - 1| in radii, is dropped
+  int points_per_link = 32;          ///< at most so many points of a link get a weight
+};
+
+/// What became of the rays that hit a link.
+struct LinkHits {
+  int kept = 0;         ///< correspondences
+  int too_far = 0;      ///< hits with |rho - 1| above the bound
+  int facing_away = 0;  ///< first hits on a surface that does not face the centre
+};
+
+struct Correspondences {
+  std::vector<Correspondence> points;  ///< sorted by link, then by sample; `link` indexes Anatomy::links
+  std::vector<LinkHits> hits;          ///< one a link of the anatomy
+  std::vector<std::string> warnings;
+};
+
+/// Casts Fibonacci directions (canonical azimuth) from the centre of S through Embree against the hand posed at `q_sphere`.
+/// Throws Error(invalid_hand) when the hand has no mesh at all; a finger link without a point is a warning.
+Correspondences project_sphere_samples(const HandModel& model, const Anatomy& anatomy, const SphereFrame& frame,
+                                       std::span<const double> q_sphere, const CorrespondenceOptions& options = {});
+
+}  // namespace uhas

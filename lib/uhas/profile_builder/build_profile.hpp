@@ -1,0 +1,46 @@
+// The whole preprocessing, stage after stage. A tool for one stage runs the stages before it.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "uhas/classification/closed_pose.hpp"
+#include "uhas/correspondences/correspondences.hpp"
+#include "uhas/lateral_tables/lateral_tables.hpp"
+
+namespace uhas {
+
+struct BuildSettings {
+  LoadOptions load;
+  HandConfig config;
+  SphereFrameOptions sphere_frame;
+  LateralTableOptions lateral_tables;
+  CorrespondenceOptions correspondences;
+};
+
+/// Everything the stages found. A field is filled when its stage has run.
+struct BuildStages {
+  HandModel model;
+  Anatomy anatomy;
+  SphereFrame sphere_frame;
+  std::vector<double> q_closed;
+  std::vector<JointClassification> joint_classes;
+  LateralTables lateral_tables;
+  Correspondences correspondences;
+};
+
+enum class Stage : int { model, anatomy, sphere_frame, classification, lateral_tables, correspondences };
+
+/// Called when a stage begins, with its name in plain words ("reading meshes").
+using StageListener = std::function<void(const char* stage)>;
+
+/// Runs every stage up to and including `last`.
+BuildStages run_stages(const std::string& urdf_path, const BuildSettings& settings, Stage last, const StageListener& listener = {});
+
+/// All that the stages found as one profile.
+HandProfile make_profile(const BuildStages& stages, const BuildSettings& settings);
+
+/// `run_stages` to the end, then `make_profile`.
+HandProfile build_profile(const std::string& urdf_path, const BuildSettings& settings = {}, const StageListener& listener = {});
+
+}  // namespace uhas

@@ -1,0 +1,37 @@
+#include "uhas/classification/finger_sweep_detail.hpp"
+
+#include <algorithm>
+
+namespace uhas {
+
+bool turns_with(const KinematicTree& tree, int other, int joint) {
+  return other == joint || tree.joints[other].mimic_master == joint;
+}
+
+std::vector<int> fingers_moved(const Anatomy& anatomy, int joint) {
+  std::vector<int> fingers;
+  for (int f = 0; f < static_cast<int>(anatomy.fingers.size()); ++f) {
+    const std::vector<int>& joints = anatomy.fingers[f].joints;
+    if (std::any_of(joints.begin(), joints.end(), [&](int j) { return turns_with(anatomy.tree, j, joint); })) fingers.push_back(f);
+  }
+  return fingers;
+}
+
+void set_with_followers(const KinematicTree& tree, int joint, double value, std::span<double> q) {
+  q[joint] = value;
+  for (int i = 0; i < static_cast<int>(tree.joints.size()); ++i)
+    if (tree.joints[i].mimic_master == joint) q[i] = tree.joints[i].mimic_multiplier * value + tree.joints[i].mimic_offset;
+}
+
+std::vector<int> joints_further_out(const Anatomy& anatomy, int finger, int joint) {
+  std::vector<int> further;
+  bool beyond = false;
+  for (int j : anatomy.fingers[finger].joints) {
+    const bool own = turns_with(anatomy.tree, j, joint);
+    if (beyond && !own) further.push_back(j);
+    beyond = beyond || own;
+  }
+  return further;
+}
+
+}  // namespace uhas

@@ -1,0 +1,24 @@
+// Look-up in a lateral table in constant time.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace uhas {
+
+/// Joint value at `delta_theta`, which is held within [lower, upper]. Zero returns `inverse_q[m]`, the neutral value, bit for bit.
+/// @param inverse_q  [2 m + 1] joint values: m equal steps from `lower` <= 0 to 0, m equal steps from 0 to `upper` >= 0
+template <class Real>
+Real look_up_lateral(std::span<const Real> inverse_q, Real lower, Real upper, Real delta_theta) {
+  const int m = static_cast<int>(inverse_q.size() / 2);
+  const Real bound = delta_theta < Real(0) ? lower : upper;
+  if (delta_theta == Real(0) || bound == Real(0)) return inverse_q[m];
+  const Real position = std::min(delta_theta / bound, Real(1)) * Real(m);  // steps away from the middle
+  const int step = std::min(static_cast<int>(position), m - 1);
+  const int side = delta_theta < Real(0) ? -1 : 1;
+  const Real near = inverse_q[m + side * step], far = inverse_q[m + side * (step + 1)];
+  return near + (position - Real(step)) * (far - near);
+}
+
+}  // namespace uhas

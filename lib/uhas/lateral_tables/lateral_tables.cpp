@@ -1,0 +1,212 @@
+#include "uhas/lateral_tables/lateral_tables.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "uhas/base/errors.hpp"
+#include "uhas/base/spherical.hpp"
+#include "uhas/runtime/forward_kinematics.hpp"
+#include "uhas/runtime/lateral_lookup.hpp"
+
+namespace uhas {
+namespace {
+
+/// A joint value and the canonical azimuth of the fingertip on the wrapped hand, unwrapped along the sweep.
+struct Sample {
+  double q, theta;
+};
+
+/// What every sweep of a hand needs.
+struct Hand {
+  const Anatomy& anatomy;
+  const SphereFrame& frame;
+  std::span<const JointClassification> classes;
+  std::span<const double> q_closed;
+
+  bool is_free_lateral(int joint) const {
+    return classes[joint].joint_class == JointClass::lateral && anatomy.tree.joints[joint].mimic_master < 0;
+  }
+
+  /// The pose wrapped with the lateral joints as they are in `q`.
+  std::vector<double> wrapped(std::vector<double> q) const {
+    apply_mimics(anatomy.tree, q);
+    wrap_on_sphere(anatomy, frame, classes, q_closed, q);
+    return q;
+  }
+
+  double canonical_azimuth(int finger, std::span<const double> q) const {
+    const double azimuth = to_spherical(fingertip_in_sphere(anatomy, frame, finger, q)).azimuth;
+    return frame.mirrored ? -azimuth : azimuth;
+  }
+};
+
+/// The finger whose azimuth a lateral joint's table records: the first that it, or a follower of it, belongs to; -1 = none.
+int finger_of(const Anatomy& anatomy, int joint) {
+  for (int f = 0; f < static_cast<int>(anatomy.fingers.size()); ++f)
+    for (int j : anatomy.fingers[f].joints)
+      if (j == joint || anatomy.tree.joints[j].mimic_master == joint) return f;
+  return -1;
+}
+
+/// `count` samples of the joint from `first` to `last`, the other lateral joints as in `q`.
+std::vector<Sample> sweep(const Hand& hand, int joint, int finger, std::vector<double> q, double first, double last, int count) {
+  std::vector<Sample> samples;
+  for (int k = 0; k < count; ++k) {
+    q[joint] = k + 1 == count ? last : first + (last - first) * k / (count - 1);
+    const double azimuth = hand.canonical_azimuth(finger, hand.wrapped(q));
+    const double before = samples.empty() ? azimuth : samples.back().theta;
+    samples.push_back({q[joint], before + wrap_angle(azimuth - before)});
+  }
+  return samples;
+}
+
+/// The stretch of samples [first, last] with the widest azimuth range over which the azimuth runs one way, nowhere slower than
+/// 5 % of the sweep's median rate (design 3.6).
+std::pair<int, int> widest_monotone_stretch(std::span<const Sample> samples) {
+  std::vector<double> rate;
+  for (std::size_t k = 1; k < samples.size(); ++k)
+    rate.push_back((samples[k].theta - samples[k - 1].theta) / (samples[k].q - samples[k - 1].q));
+  std::vector<double> magnitude;
+  for (double r : rate) magnitude.push_back(std::abs(r));
+  std::nth_element(magnitude.begin(), magnitude.begin() + magnitude.size() / 2, magnitude.end());
+  const double least_rate = 0.05 * magnitude[magnitude.size() / 2];
+
+  const auto usable = [&](std::size_t k) { return rate[k] != 0 && std::abs(rate[k]) >= least_rate; };
+  std::pair<int, int> best{0, 0};
+  for (std::size_t first = 0; first < rate.size();) {
+    std::size_t last = first;
+    while (last < rate.size() && usable(last) && (rate[last] > 0) == (rate[first] > 0)) ++last;
+    const auto extent = [&](int a, int b) { return std::abs(samples[b].theta - samples[a].theta); };
+    if (extent(static_cast<int>(first), static_cast<int>(last)) > extent(best.first, best.second))
+      best = {static_cast<int>(first), static_cast<int>(last)};
+    first = std::max(last, first + 1);
+  }
+  return best;
+}
+
+/// Joint value where the piecewise-linear table reaches `theta`.
+double invert(const LateralTable& table, double theta) {
+  const bool rising = table.theta.back() > table.theta.front();
+  const auto before = [&](double a, double b) { return rising ? a < b : a > b; };
+  const auto above = std::lower_bound(table.theta.begin() + 1, table.theta.end() - 1, theta, before);
+  const std::size_t k = above - table.theta.begin();
+  const double share = (theta - table.theta[k - 1]) / (table.theta[k] - table.theta[k - 1]);
+  return std::clamp(table.q[k - 1] + share * (table.q[k] - table.q[k - 1]), table.q[k - 1], table.q[k]);
+}
+
+/// Fills the inverse: knots are doubled until q -> theta -> q returns every sample well within the 1e-3 rad it must hold.
+void fill_inverse(LateralTable& table) {
+  constexpr double round_trip = 2e-4;  // rad
+  constexpr int most_knots = 1 << 14;
+  for (int m = 64; m <= most_knots; m *= 2) {
+    table.inverse_q.assign(2 * m + 1, table.neutral);
+    for (int k = 1; k <= m; ++k) {
+      table.inverse_q[m - k] = invert(table, table.theta_initial + table.delta_theta_lower * k / m);
+      table.inverse_q[m + k] = invert(table, table.theta_initial + table.delta_theta_upper * k / m);
+    }
+    double worst = 0;
+    for (std::size_t i = 0; i < table.q.size(); ++i)
+      worst = std::max(worst, std::abs(look_up_lateral<double>(table.inverse_q, table.delta_theta_lower, table.delta_theta_upper,
+                                                               table.theta[i] - table.theta_initial) -
+                                       table.q[i]));
+    if (worst <= round_trip) return;
+  }
+}
+
+/// The table of `joint`, the other lateral joints as in `q`: a first sweep finds the stretch, a second one samples it evenly
+/// about its middle, so that neutral is a sample of its own.
+LateralTable build_table(const Hand& hand, int joint, int finger, const std::vector<double>& q, int steps) {
+  const Joint& j = hand.anatomy.tree.joints[joint];
+  const std::vector<Sample> whole = sweep(hand, joint, finger, q, j.lower, j.upper, steps);
+  const auto [first, last] = widest_monotone_stretch(whole);
+
+  LateralTable table;
+  table.joint = joint;
+  if (first == last) {  // the joint does not turn its fingertip about the sphere at all
+    table.neutral = (j.lower + j.upper) / 2;
+    return table;
+  }
+  const std::vector<Sample> stretch = sweep(hand, joint, finger, q, whole[first].q, whole[last].q, steps | 1);
+  const auto [begin, end] = widest_monotone_stretch(stretch);
+  const int half = (end - begin) / 2;
+  const int middle = begin + half;
+  for (int k = middle - half; k <= middle + half; ++k) {
+    table.q.push_back(stretch[k].q);
+    table.theta.push_back(stretch[k].theta);
+  }
+  table.neutral = stretch[middle].q;
+  // keep theta_initial within (-pi, pi], the rest of the table unwrapped about it
+  const double turns = wrap_angle(stretch[middle].theta) - stretch[middle].theta;
+  for (double& theta : table.theta) theta += turns;
+  table.theta_initial = table.theta[half];
+  table.delta_theta_lower = std::min(table.theta.front(), table.theta.back()) - table.theta_initial;
+  table.delta_theta_upper = std::max(table.theta.front(), table.theta.back()) - table.theta_initial;
+  fill_inverse(table);
+  return table;
+}
+
+/// Whether the fingertip moves at least 0.3 of its distance from the joint per radian at the pose `q`.
+bool moves_its_tip(const Hand& hand, int joint, int finger, std::vector<double> q) {
+  constexpr double least_share = 0.3, step = 1e-4;
+  if (hand.anatomy.tree.joints[joint].kind == JointKind::prismatic) return true;
+  std::vector<RigidTransformd> T_palm_joint(q.size());
+  forward_kinematics(hand.anatomy.tree, q, T_palm_joint);
+  const Vector3d tip = fingertip_in_sphere(hand.anatomy, hand.frame, finger, q);
+  const double arm = norm(hand.frame.T_palm_sphere * tip - T_palm_joint[joint].translation);
+  q[joint] += step;
+  apply_mimics(hand.anatomy.tree, q);
+  return norm(fingertip_in_sphere(hand.anatomy, hand.frame, finger, q) - tip) >= least_share * arm * step;
+}
+
+double azimuth_range(const LateralTable& table) { return table.delta_theta_upper - table.delta_theta_lower; }
+
+}  // namespace
+
+LateralTables build_lateral_tables(const Anatomy& anatomy, const SphereFrame& frame,
+                                   std::span<const JointClassification> classes, std::span<const double> q_closed,
+                                   const LateralTableOptions& options) {
+  constexpr int fewest_steps = 11;
+  if (options.steps < fewest_steps)
+    throw Error(ErrorCode::invalid_config, "", "a lateral table of " + std::to_string(options.steps) + " steps", "use at least 11");
+  const Hand hand{anatomy, frame, classes, q_closed};
+  LateralTables result;
+  result.table_of_finger.assign(anatomy.fingers.size(), -1);
+
+  // every lateral joint by itself, the others open: this gives each its neutral value
+  std::vector<double> q = anatomy.q_open;
+  for (int joint = 0; joint < static_cast<int>(anatomy.tree.joints.size()); ++joint) {
+    const int finger = finger_of(anatomy, joint);
+    if (!hand.is_free_lateral(joint) || finger < 0) continue;
+    LateralTable table = build_table(hand, joint, finger, anatomy.q_open, options.steps);
+    q[joint] = table.neutral;
+    if (!table.q.empty()) result.tables.push_back(std::move(table));
+  }
+  const std::vector<double> q_neutral = hand.wrapped(q);
+
+  // the joint that drives a finger; its table is measured again with the finger's other lateral joints at neutral
+  for (int f = 0; f < static_cast<int>(anatomy.fingers.size()); ++f) {
+    int driver = -1;
+    for (int t = 0; t < static_cast<int>(result.tables.size()); ++t) {
+      const LateralTable& table = result.tables[t];
+      if (finger_of(anatomy, table.joint) != f || !moves_its_tip(hand, table.joint, f, q_neutral)) continue;
+      if (driver < 0 || azimuth_range(table) > azimuth_range(result.tables[driver])) driver = t;
+    }
+    if (driver < 0) continue;
+    LateralTable table = build_table(hand, result.tables[driver].joint, f, q, options.steps);
+    if (table.q.empty()) continue;
+    q[table.joint] = table.neutral;
+    const double narrow = std::min(-table.delta_theta_lower, table.delta_theta_upper);
+    const double wide = std::max(-table.delta_theta_lower, table.delta_theta_upper);
+    constexpr double lopsided = 0.2;
+    if (narrow < lopsided * wide)
+      result.warnings.push_back("finger " + frame.names[f] + ": joint '" + anatomy.tree.joints[table.joint].name +
+                                "' leaves little room for delta theta on one side of neutral");
+    result.tables[driver] = std::move(table);
+    result.table_of_finger[f] = driver;
+  }
+  result.q_sphere = hand.wrapped(q);
+  return result;
+}
+
+}  // namespace uhas

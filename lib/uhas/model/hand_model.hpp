@@ -1,6 +1,7 @@
 // The hand model: a URDF and its meshes as plain data. Metres and radians; meshes are in the frame of their link.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -10,7 +11,8 @@
 
 namespace uhas {
 
-/// Triangles in the frame of the link they belong to (m). No degenerate triangle, every index in range.
+/// Triangles in the frame of the link they belong to (m), counter-clockwise seen from outside. No degenerate triangle,
+/// every index in range, every vertex finite and used.
 struct TriangleMesh {
   std::vector<Vector3d> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -19,14 +21,14 @@ struct TriangleMesh {
 /// A link of the URDF.
 struct ModelLink {
   std::string name;
-  int parent_link = -1;          ///< link the URDF hangs it on; -1 = the root link
-  int joint = -1;                ///< index into `HandModel::tree` of the movable joint that carries it; -1 = fixed to the root
+  int parent_link = -1;  ///< index into `HandModel::links`, below its own; -1 = this is the root link
+  int joint = -1;        ///< index into `HandModel::tree` of the movable joint that carries it; -1 = fixed to the root
   RigidTransformd T_joint_link;  ///< link frame in that joint's moved frame (in the root link's frame for -1)
   TriangleMesh mesh;             ///< all geometry of the link, merged; empty when it has none
 };
 
-/// A URDF, read and checked. Links are ordered so that every parent precedes its children, siblings by name, so that the
-/// order of elements in the file does not matter; joints follow the order of their child links.
+/// A URDF, read and checked. Links are ordered depth first, siblings by name, so that every parent precedes its
+/// children and the order of elements in the file does not matter; joints follow the order of their child links.
 struct HandModel {
   std::string name;
   std::vector<ModelLink> links;       ///< links[0] is the root
@@ -43,15 +45,17 @@ struct PackageFolder {
 };
 
 struct LoadOptions {
-  GeometrySource geometry = GeometrySource::visual;  ///< visual falls back to collision for a link without visual, and the reverse
-  std::vector<PackageFolder> packages;
-  bool load_meshes = true;                           ///< false: skeleton only
+  /// A link that lacks the wanted kind falls back to the other; `both` merges them.
+  GeometrySource geometry = GeometrySource::visual;
+  std::vector<PackageFolder> packages;  ///< searched before the folders of ROS_PACKAGE_PATH and those above the URDF
+  bool load_meshes = true;              ///< false: skeleton only
   std::uint64_t max_urdf_bytes = 16u << 20;
   std::uint64_t max_mesh_bytes = 512u << 20;
-  std::uint64_t max_triangles = 20'000'000;          ///< over the whole hand
+  std::uint64_t max_triangles = 20'000'000;  ///< over the whole hand
 };
 
-/// Reads a URDF and every mesh it names.
+/// Reads a URDF and every mesh it names: STL, OBJ, DAE, PLY, GLB and glTF, and the primitives box, cylinder, sphere and
+/// capsule. Prints nothing; what a user should know is in `HandModel::warnings`.
 /// Throws Error: file_unreadable, syntax, invalid_model, invalid_mesh, limit_exceeded.
 HandModel load_hand_model(const std::string& urdf_path, const LoadOptions& options = {});
 

@@ -1,0 +1,217 @@
+#include "uhas/model/hand_model.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <string_view>
+
+#include "uhas/base/errors.hpp"
+#include "uhas/model/link_order_detail.hpp"
+#include "uhas/model/mesh_path_detail.hpp"
+#include "uhas/model/mesh_reader_detail.hpp"
+#include "uhas/model/primitives_detail.hpp"
+#include "uhas/model/source_file_detail.hpp"
+#include "uhas/model/urdf_reader_detail.hpp"
+
+namespace uhas {
+namespace {
+
+namespace fs = std::filesystem;
+using detail::UrdfShape;
+
+// A part of a hand in its true unit is between 1/100 of the skeleton and a few times it; one in millimetres is a
+// thousand times larger. The bounds lie between.
+constexpr double suspiciously_large = 20;
+constexpr double suspiciously_small = 1e-3;
+
+// Twice the area below which a triangle has no usable normal, relative to the square of its longest edge.
+constexpr double degenerate_area = 1e-9;
+
+bool is_degenerate(Vector3d a, Vector3d b, Vector3d c) {
+  const double longest = std::max({norm(b - a), norm(c - b), norm(a - c)});
+  return !(norm(cross(b - a, c - a)) > degenerate_area * longest * longest);
+}
+
+// Length of the diagonal of the bounding box.
+double extent(const TriangleMesh& mesh, Vector3d scale) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Vector3d low{infinity, infinity, infinity}, high = -low;
+  for (const Vector3d& p : mesh.vertices) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  const Vector3d size = high - low;
+  return norm(Vector3d{size.x * scale.x, size.y * scale.y, size.z * scale.z});
+}
+
+// Length of the longest chain of joint origins.
+double skeleton_extent(const detail::Urdf& urdf, const std::vector<detail::OrderedLink>& order) {
+  std::vector<double> reach(order.size());
+  for (std::size_t i = 1; i < order.size(); ++i)
+    reach[i] = reach[order[i].parent] + norm(urdf.joints[order[i].joint].joint.T_parent_joint.translation);
+  return *std::ranges::max_element(reach);
+}
+
+class GeometryLoader {
+ public:
+  GeometryLoader(std::string urdf_file, double skeleton, const LoadOptions& options, detail::SourceLog& sources,
+                 std::vector<std::string>& warnings)
+      : urdf_file_(std::move(urdf_file)),
+        skeleton_(skeleton),
+        options_(options),
+        sources_(sources),
+        warnings_(warnings) {}
+
+  TriangleMesh load(const detail::UrdfLink& link) {
+    const bool wants_visual = options_.geometry != GeometrySource::collision;
+    const bool wants_collision = options_.geometry != GeometrySource::visual;
+    TriangleMesh result;
+    if (wants_visual || link.collision.empty())
+      for (const UrdfShape& shape : link.visual) append(shape, result);
+    if (wants_collision || link.visual.empty())
+      for (const UrdfShape& shape : link.collision) append(shape, result);
+    return result;
+  }
+
+ private:
+  void append(const UrdfShape& shape, TriangleMesh& result) {
+    switch (shape.kind) {
+      case UrdfShape::Kind::box: return append(detail::tessellate_box(shape.box_size), shape, result);
+      case UrdfShape::Kind::cylinder:
+        return append(detail::tessellate_cylinder(shape.radius, shape.length), shape, result);
+      case UrdfShape::Kind::capsule:
+        return append(detail::tessellate_capsule(shape.radius, shape.length), shape, result);
+      case UrdfShape::Kind::sphere: return append(detail::tessellate_sphere(shape.radius), shape, result);
+      case UrdfShape::Kind::mesh: return append(mesh_file(shape), shape, result);
+    }
+  }
+
+  // Scales and places `source`; vertices that no triangle uses are left behind.
+  void append(const TriangleMesh& source, const UrdfShape& shape, TriangleMesh& result) {
+    const Vector3d scale = shape.mesh_scale;
+    const bool mirrored = scale.x * scale.y * scale.z < 0;
+    constexpr auto unused = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> index_in_result(source.vertices.size(), unused);
+    const auto place = [&](std::uint32_t vertex) {
+      const Vector3d p = source.vertices[vertex];
+      return shape.T_link_shape * Vector3d{scale.x * p.x, scale.y * p.y, scale.z * p.z};
+    };
+    for (std::array<std::uint32_t, 3> triangle : source.triangles) {
+      if (mirrored) std::swap(triangle[1], triangle[2]);
+      if (is_degenerate(place(triangle[0]), place(triangle[1]), place(triangle[2]))) continue;
+      if (++triangle_count_ > options_.max_triangles)
+        throw Error(ErrorCode::limit_exceeded, urdf_file_,
+                    "the meshes have more triangles than the bound of " + std::to_string(options_.max_triangles),
+                    "simplify them or raise the bound");
+      for (std::uint32_t& vertex : triangle) {
+        std::uint32_t& index = index_in_result[vertex];
+        if (index == unused) {
+          index = static_cast<std::uint32_t>(result.vertices.size());
+          result.vertices.push_back(place(vertex));
+        }
+        vertex = index;
+      }
+      result.triangles.push_back(triangle);
+    }
+  }
+
+  // Hands use one file for several links; each is read once.
+  const TriangleMesh& mesh_file(const UrdfShape& shape) {
+    const fs::path path =
+        detail::find_mesh(shape.mesh_reference, fs::path(urdf_file_).parent_path(), options_.packages, urdf_file_);
+    const auto [entry, is_new] = meshes_.try_emplace(path);
+    if (is_new) {
+      entry->second = detail::read_mesh(path, shape.mesh_reference, options_, sources_);
+      warn_about_units(shape, extent(entry->second, shape.mesh_scale));
+    }
+    return entry->second;
+  }
+
+  void warn_about_units(const UrdfShape& shape, double mesh) {
+    if (skeleton_ > 0 && mesh > suspiciously_large * skeleton_)
+      warnings_.push_back("mesh " + shape.mesh_reference + " is " + std::to_string(mesh) +
+                          " m across on a skeleton of " + std::to_string(skeleton_) +
+                          " m; is it in millimetres? then give it scale=\"0.001 0.001 0.001\" in the URDF");
+    if (mesh < suspiciously_small * skeleton_)
+      warnings_.push_back("mesh " + shape.mesh_reference + " is " + std::to_string(1000 * mesh) +
+                          " mm across on a skeleton of " + std::to_string(skeleton_) +
+                          " m; is it in metres, but scaled as if in millimetres? then remove its scale in the URDF");
+  }
+
+  std::string urdf_file_;
+  double skeleton_;
+  const LoadOptions& options_;
+  detail::SourceLog& sources_;
+  std::vector<std::string>& warnings_;
+  std::map<fs::path, TriangleMesh> meshes_;
+  std::uint64_t triangle_count_ = 0;
+};
+
+// Folds fixed joints: `links` get their carrying joint, `tree` the movable joints in the order of their child links.
+void build_tree(const detail::Urdf& urdf, const std::vector<detail::OrderedLink>& order,
+                const std::vector<detail::FlatMimic>& mimics, HandModel& model) {
+  std::vector<int> index_in_tree(urdf.joints.size(), -1);
+  std::vector<int> index_in_urdf;
+  for (const detail::OrderedLink& ordered : order) {
+    ModelLink link{urdf.links[ordered.link].name, ordered.parent, -1, {}, {}};
+    if (ordered.parent >= 0) {
+      const ModelLink& parent = model.links[ordered.parent];
+      const detail::UrdfJoint& above = urdf.joints[ordered.joint];
+      link.joint = parent.joint;
+      link.T_joint_link = parent.T_joint_link * above.joint.T_parent_joint;
+      if (!above.fixed) {
+        Joint joint = above.joint;
+        joint.parent = parent.joint;
+        joint.T_parent_joint = link.T_joint_link;
+        link.joint = static_cast<int>(model.tree.joints.size());
+        link.T_joint_link = {};
+        index_in_tree[ordered.joint] = link.joint;
+        index_in_urdf.push_back(ordered.joint);
+        model.tree.joints.push_back(std::move(joint));
+      }
+    }
+    model.links.push_back(std::move(link));
+  }
+
+  for (std::size_t j = 0; j < model.tree.joints.size(); ++j) {
+    const detail::FlatMimic& mimic = mimics[index_in_urdf[j]];
+    if (mimic.master < 0) continue;
+    Joint& joint = model.tree.joints[j];
+    joint.mimic_master = index_in_tree[mimic.master];
+    joint.mimic_multiplier = mimic.multiplier;
+    joint.mimic_offset = mimic.offset;
+  }
+}
+
+}  // namespace
+
+HandModel load_hand_model(const std::string& urdf_path, const LoadOptions& options) {
+  if (urdf_path.ends_with(".xacro"))
+    throw Error(ErrorCode::syntax, urdf_path, "this is a xacro file, not a URDF",
+                "expand it first: xacro " + urdf_path + " > hand.urdf");
+  const detail::FileBytes bytes = detail::read_file(urdf_path, options.max_urdf_bytes);
+  const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  const detail::Urdf urdf = detail::read_urdf(text, urdf_path);
+  const std::vector<detail::OrderedLink> order = detail::order_links(urdf, urdf_path);
+
+  HandModel model;
+  model.name = urdf.name;
+  build_tree(urdf, order, detail::flatten_mimics(urdf, urdf_path), model);
+  if (model.tree.joints.empty())
+    throw Error(ErrorCode::invalid_model, urdf_path, "the model has no movable joint", "name the URDF of a hand");
+  for (const Joint& joint : model.tree.joints)
+    if (joint.lower == joint.upper)
+      model.warnings.push_back("joint '" + joint.name + "' cannot move: its lower and upper limits are equal");
+
+  detail::SourceLog sources(fs::path(urdf_path).parent_path());
+  sources.add(urdf_path, urdf_path, bytes);
+  if (options.load_meshes) {
+    GeometryLoader loader(urdf_path, skeleton_extent(urdf, order), options, sources, model.warnings);
+    for (std::size_t i = 0; i < order.size(); ++i) model.links[i].mesh = loader.load(urdf.links[order[i].link]);
+  }
+  model.sources = sources.files();
+  return model;
+}
+
+}  // namespace uhas

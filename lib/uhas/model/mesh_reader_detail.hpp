@@ -1,0 +1,26 @@
+// Mesh files as plain triangles.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "uhas/model/hand_model.hpp"
+#include "uhas/model/source_file_detail.hpp"
+
+namespace uhas::detail {
+
+/// Reads STL (binary, ASCII), OBJ, DAE, PLY, GLB or glTF, chosen by the extension, into the file's own frame and units
+/// (a DAE's <unit> is applied), the transforms of its nodes included.
+///
+/// The up axis of a DAE is NOT applied. URDF says that a mesh's coordinates are those of its frame, and rviz, MoveIt
+/// and the exporters of hands agree: a DAE marked Z_UP and one marked Y_UP with the same numbers are the same mesh.
+/// glTF is always Y up by its specification; there, too, the numbers are taken as they are, for exporters that write
+/// meshes for URDF store them in the link frame.
+///
+/// Every file read is added to `sources`. Faces that are not triangles after triangulation (lines, points) are skipped.
+/// @param reference  how the URDF names the file
+/// Throws Error: file_unreadable, limit_exceeded, invalid_mesh.
+TriangleMesh read_mesh(const std::filesystem::path& path, const std::string& reference, const LoadOptions& options,
+                       SourceLog& sources);
+
+}  // namespace uhas::detail

@@ -1,0 +1,146 @@
+#include "uhas/model/urdf_text_detail.hpp"
+
+#include <tinyxml.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+#include "uhas/base/errors.hpp"
+
+namespace uhas::detail {
+namespace {
+
+// TinyXML recurses once a level and searches the attributes of a tag linearly.
+constexpr int max_nesting = 100;
+constexpr std::size_t max_tag_length = 16384;
+
+int line_of(std::string_view text, std::size_t position) {
+  return 1 + static_cast<int>(std::ranges::count(text.substr(0, position), '\n'));
+}
+
+// Position just after the markup that starts at `start` ("<..."), npos when it does not end.
+std::size_t end_of_markup(std::string_view text, std::size_t start) {
+  const auto after = [&](std::string_view terminator) {
+    const std::size_t found = text.find(terminator, start);
+    return found == std::string_view::npos ? found : found + terminator.size();
+  };
+  const std::string_view markup = text.substr(start);
+  if (markup.starts_with("<!--")) return after("-->");
+  if (markup.starts_with("<![CDATA[")) return after("]]>");
+  if (markup.starts_with("<?")) return after("?>");
+  char quote = 0;
+  for (std::size_t i = start; i < text.size(); ++i) {
+    if (quote != 0) {
+      if (text[i] == quote) quote = 0;
+    } else if (text[i] == '"' || text[i] == '\'') {
+      quote = text[i];
+    } else if (text[i] == '>') {
+      return i + 1;
+    }
+  }
+  return std::string_view::npos;
+}
+
+void check_bounds(std::string_view text, const std::string& file) {
+  int depth = 0;
+  for (std::size_t start = text.find('<'); start != std::string_view::npos; start = text.find('<', start)) {
+    const auto place = [&, start] { return file + ":" + std::to_string(line_of(text, start)); };
+    const std::size_t end = end_of_markup(text, start);
+    if (end == std::string_view::npos)
+      throw Error(ErrorCode::syntax, place(), "the XML ends inside a tag or comment", "complete the file");
+    const std::string_view tag = text.substr(start, end - start);
+    start = end;
+    if (tag.starts_with("<!") || tag.starts_with("<?")) continue;
+    if (tag.size() > max_tag_length)
+      throw Error(ErrorCode::limit_exceeded, place(),
+                  "a tag is longer than " + std::to_string(max_tag_length) + " characters", "shorten it");
+    if (tag.starts_with("</"))
+      --depth;
+    else if (!tag.ends_with("/>"))
+      ++depth;
+    if (depth > max_nesting)
+      throw Error(ErrorCode::limit_exceeded, place(),
+                  "elements are nested more than " + std::to_string(max_nesting) + " deep", "flatten the file");
+  }
+}
+
+template <class Predicate>
+void remove_children(TiXmlElement& parent, Predicate unwanted) {
+  for (TiXmlNode *child = parent.FirstChild(), *next = nullptr; child != nullptr; child = next) {
+    next = child->NextSibling();
+    if (unwanted(*child)) parent.RemoveChild(child);
+  }
+}
+
+template <std::size_t N>
+auto none_of(const std::array<std::string_view, N>& tags) {
+  return [&tags](const TiXmlNode& node) {
+    return node.ToElement() == nullptr || std::ranges::find(tags, node.ValueStr()) == tags.end();
+  };
+}
+
+TiXmlElement* shape_of(TiXmlElement& visual_or_collision) {
+  TiXmlElement* geometry = visual_or_collision.FirstChildElement("geometry");
+  return geometry != nullptr ? geometry->FirstChildElement() : nullptr;
+}
+
+void reduce_link(TiXmlElement& link) {
+  static constexpr std::array<std::string_view, 2> shapes{"visual", "collision"};
+  static constexpr std::array<std::string_view, 2> parts{"origin", "geometry"};
+  remove_children(link, none_of(shapes));
+  remove_children(link, [](TiXmlNode& node) { return shape_of(*node.ToElement()) == nullptr; });
+  for (TiXmlElement* element = link.FirstChildElement(); element != nullptr; element = element->NextSiblingElement()) {
+    remove_children(*element, none_of(parts));
+    TiXmlElement& shape = *shape_of(*element);
+    element->SetAttribute("name", shape.Value());
+    if (shape.ValueStr() == "capsule") shape.SetValue("cylinder");
+  }
+}
+
+void reduce_joint(TiXmlElement& joint) {
+  static constexpr std::array<std::string_view, 6> parts{"origin", "parent", "child", "axis", "limit", "mimic"};
+  remove_children(joint, none_of(parts));
+  if (TiXmlElement* limit = joint.FirstChildElement("limit")) {
+    // urdfdom refuses a limit without these two, which many hands leave out
+    for (const char* optional : {"effort", "velocity"})
+      if (limit->Attribute(optional) == nullptr) limit->SetAttribute(optional, "0");
+  }
+}
+
+}  // namespace
+
+std::string reduce_urdf(const std::string& text, const std::string& file) {
+  if (text.find('\0') != std::string::npos)
+    throw Error(ErrorCode::syntax, file, "the file holds a zero byte, so it is not XML", "name a URDF file");
+  check_bounds(text, file);
+
+  TiXmlDocument document;
+  document.Parse(text.c_str());
+  const std::string place = document.ErrorRow() > 0 ? file + ":" + std::to_string(document.ErrorRow()) : file;
+  if (document.Error())
+    throw Error(ErrorCode::syntax, place, std::string("this is not well-formed XML (") + document.ErrorDesc() + ")",
+                "correct the file");
+  TiXmlElement* robot = document.RootElement();
+  if (robot == nullptr) throw Error(ErrorCode::syntax, file, "the file has no XML element", "name a URDF file");
+  if (robot->ValueStr() != "robot")
+    throw Error(ErrorCode::syntax, file,
+                "this is not a URDF: the root element is <" + robot->ValueStr() + ">, not <robot>", "name a URDF file");
+  for (const TiXmlElement* child = robot->FirstChildElement(); child != nullptr; child = child->NextSiblingElement())
+    if (child->ValueStr().starts_with("xacro:"))
+      throw Error(ErrorCode::syntax, file + ":" + std::to_string(child->Row()),
+                  "the file holds <" + child->ValueStr() + ">, so it is xacro that was not expanded",
+                  "expand it first: xacro " + file + " > hand.urdf");
+
+  static constexpr std::array<std::string_view, 2> parts{"link", "joint"};
+  remove_children(*robot, none_of(parts));
+  for (TiXmlElement* child = robot->FirstChildElement(); child != nullptr; child = child->NextSiblingElement())
+    child->ValueStr() == "link" ? reduce_link(*child) : reduce_joint(*child);
+
+  TiXmlPrinter printer;
+  robot->Accept(&printer);
+  return printer.Str();
+}
+
+}  // namespace uhas::detail

@@ -24,11 +24,15 @@ struct Joint {
   int mimic_master = -1;           ///< index of an independent joint of the same tree; -1 = independent
   double mimic_multiplier = 1;     ///< q = multiplier * q_master + offset (chains of mimics are flattened)
   double mimic_offset = 0;
+
+  friend bool operator==(const Joint&, const Joint&) = default;
 };
 
 /// Joints in an order in which every parent precedes its children.
 struct KinematicTree {
   std::vector<Joint> joints;
+
+  friend bool operator==(const KinematicTree&, const KinematicTree&) = default;
 };
 
 }  // namespace uhas

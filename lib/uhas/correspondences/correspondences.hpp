@@ -1,4 +1,5 @@
-// Correspondences: points of the hand's surface and their fixed coordinates on the sphere (paper, section 3.2; design 3.4).
+// Correspondences: points of the hand's surface and their fixed coordinates on the sphere (paper, section 3.2;
+// design 3.4).
 #pragma once
 
 #include <span>
@@ -10,9 +11,9 @@
 namespace uhas {
 
 struct CorrespondenceOptions {
-  int samples = 20000;               ///< directions cast from the sphere's centre
-  double max_radius_deviation = 0.5; ///< a hit further than this from the sphere, |rho - 1| in radii, is dropped
-  int points_per_link = 32;          ///< at most so many points of a link get a weight
+  int samples = 20000;                ///< directions cast from the sphere's centre
+  double max_radius_deviation = 0.5;  ///< a hit further than this from the sphere, |rho - 1| in radii, is dropped
+  int points_per_link = 32;           ///< at most so many points of a link get a weight
 };
 
 /// What became of the rays that hit a link.
@@ -28,8 +29,12 @@ struct Correspondences {
   std::vector<std::string> warnings;
 };
 
-/// Casts Fibonacci directions (canonical azimuth) from the centre of S through Embree against the hand posed at `q_sphere`.
-/// Throws Error(invalid_hand) when the hand has no mesh at all; a finger link without a point is a warning.
+/// Casts Fibonacci directions (canonical azimuth) from the centre of S through Embree against the hand posed at
+/// `q_sphere`. A ray's first hit is a correspondence when the front of a triangle faces the centre and the hit is near
+/// the sphere. The front is the side from which the corners run counter-clockwise; a mesh that is inside out as a whole
+/// is turned over. Well-spread points of the links that joints carry get weights; a hand's weights sum to 1. Throws
+/// Error(invalid_hand) when the hand has no mesh at all, Error(invalid_config) for a number of samples or points below
+/// 1 or a bound that is not positive; a finger link without a point is a warning.
 Correspondences project_sphere_samples(const HandModel& model, const Anatomy& anatomy, const SphereFrame& frame,
                                        std::span<const double> q_sphere, const CorrespondenceOptions& options = {});
 

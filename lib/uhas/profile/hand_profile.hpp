@@ -37,6 +37,8 @@ struct JointTraits {
   double q_open = 0;               ///< open pose (rad or m)
   double q_sphere = 0;             ///< pose wrapped on the undeformed sphere: the reference posture
   double q_closed = 0;             ///< the closed end of the range: `lower` or `upper` unless a config says otherwise
+
+  friend bool operator==(const JointTraits&, const JointTraits&) = default;
 };
 
 /// A link that is rigidly carried by a joint of the tree, or by the palm.
@@ -44,6 +46,8 @@ struct ProfileLink {
   std::string name;
   int joint = -1;                ///< carrying joint; -1 = palm
   RigidTransformd T_joint_link;  ///< link frame in the carrying joint's moved frame (in P for the palm)
+
+  friend bool operator==(const ProfileLink&, const ProfileLink&) = default;
 };
 
 /// Lateral look-up table of one lateral joint (paper, section 3.4), on its monotone stretch.
@@ -57,6 +61,8 @@ struct LateralTable {
   double delta_theta_upper = 0;     ///< >= 0
   std::vector<double> inverse_q;    ///< [2 m + 1] q at delta theta: m equal steps from `delta_theta_lower` to 0, m from 0 to
                                     ///< `delta_theta_upper`; element m is `neutral` bit for bit
+
+  friend bool operator==(const LateralTable&, const LateralTable&) = default;
 };
 
 /// One finger, root to tip.
@@ -71,6 +77,8 @@ struct ProfileFinger {
   double theta_initial = 0;              ///< canonical azimuth of the fingertip at q_sphere: where its driving plane stands
   double tip_phi = 0;                    ///< polar angle of the fingertip at q_sphere
   int lateral_table = -1;                ///< index into `lateral_tables` of the joint that follows delta theta; -1 = none
+
+  friend bool operator==(const ProfileFinger&, const ProfileFinger&) = default;
 };
 
 /// A surface point of the hand and its fixed coordinates on the sphere (paper, section 3.2).
@@ -82,6 +90,8 @@ struct Correspondence {
   double phi = 0;        ///< polar angle at q_sphere, [0, pi]
   double rho = 0;        ///< rest radius |p| / r at q_sphere
   double weight = 0;     ///< weight in the solver; 0 = not one of the runtime's points
+
+  friend bool operator==(const Correspondence&, const Correspondence&) = default;
 };
 
 /// Something the preprocessing inferred.
@@ -90,12 +100,16 @@ struct Finding {
   std::string value;      ///< in words
   std::string reason;     ///< why, in words
   double confidence = 1;  ///< 0..1; 1 when a config said so
+
+  friend bool operator==(const Finding&, const Finding&) = default;
 };
 
 /// SHA-256 of a file the profile was built from.
 struct SourceFile {
   std::string name;    ///< path relative to the URDF's folder, or its package:// form; never absolute
   std::string sha256;  ///< 64 lower-case hex digits
+
+  friend bool operator==(const SourceFile&, const SourceFile&) = default;
 };
 
 struct HandProfile {
@@ -124,6 +138,8 @@ struct HandProfile {
   std::vector<std::string> warnings;
   std::string settings_json;                   ///< canonical JSON of the build settings; the same settings and model rebuild the profile
   std::vector<SourceFile> sources;
+
+  friend bool operator==(const HandProfile&, const HandProfile&) = default;
 };
 
 /// Checks every index, shape, range and finiteness that the runtime relies on.

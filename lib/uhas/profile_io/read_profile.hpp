@@ -1,0 +1,21 @@
+// Reads a hand profile. The format is described in schemas/hand-profile-v1.md.
+#pragma once
+
+#include <string>
+
+#include "uhas/profile/hand_profile.hpp"
+
+namespace uhas {
+
+/// The hand profile in the file `path`, validated.
+///
+/// The file is read into memory once; its length and SHA-256 are checked before HDF5 sees a byte of it, and what was
+/// checked is what is parsed. That guards against damage, not malice: whoever writes a file can seal it with a right
+/// hash, and HDF5 has crashed on crafted files. Read a profile of unknown origin in a process of its own.
+///
+/// Throws Error: file_unreadable; limit_exceeded (over 256 MiB); unsupported_version (another major version);
+/// invalid_profile (damaged, alien, inconsistent), which names the dataset where there is one.
+/// Safe to call from several threads; calls take turns.
+HandProfile read_profile(const std::string& path);
+
+}  // namespace uhas

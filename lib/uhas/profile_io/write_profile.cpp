@@ -1,0 +1,18 @@
+#include "uhas/profile_io/write_profile.hpp"
+
+#include "uhas/base/errors.hpp"
+#include "uhas/profile_io/file_bytes_detail.hpp"
+#include "uhas/profile_io/profile_image_detail.hpp"
+
+namespace uhas {
+
+void write_profile(const HandProfile& profile, const std::string& path) {
+  validate_profile(profile, path);
+  const std::vector<std::byte> image = detail::image_of_profile(profile, path);
+  if (image.size() > detail::kMaxProfileBytes)
+    throw Error(ErrorCode::limit_exceeded, path, "the profile would have " + std::to_string(image.size()) + " bytes",
+                "build it with fewer samples");
+  detail::replace_file(path, image);
+}
+
+}  // namespace uhas

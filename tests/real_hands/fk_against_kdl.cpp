@@ -110,11 +110,13 @@ TEST_CASE("the pose of every link is KDL's") {
       KDL::Frame expected;
       REQUIRE(solver.JntToCart(q_kdl, expected, link.name) >= 0);
       const uhas::Vector3d p{expected.p.x(), expected.p.y(), expected.p.z()};
-      worst_position = std::max(worst_position, norm(T_root_link.translation - p));
-      worst_rotation = std::max(worst_rotation, rotation_angle(T_root_link.rotation, expected.M));
+      const double position_error = norm(T_root_link.translation - p);
+      const double rotation_error = rotation_angle(T_root_link.rotation, expected.M);
+      REQUIRE_MESSAGE(position_error <= tolerance, link.name);
+      REQUIRE_MESSAGE(rotation_error <= tolerance, link.name);
+      worst_position = std::max(worst_position, position_error);
+      worst_rotation = std::max(worst_rotation, rotation_error);
     }
   }
   MESSAGE(hand.name << ": worst position " << worst_position << " m, worst rotation " << worst_rotation << " rad");
-  CHECK(worst_position <= tolerance);
-  CHECK(worst_rotation <= tolerance);
 }

@@ -254,3 +254,60 @@ TEST_CASE("a scale that is zero, of two numbers, or no number") {
 TEST_CASE("an unknown shape is an error, not a link without geometry") {
   check_load_error(one_finger(visual("<plane/>")), ErrorCode::invalid_model, {"plane", "palm"});
 }
+
+TEST_CASE("a GLB that claims a billion vertices is refused before they are allocated") {
+  check_mesh_error("a.glb", glb("", "1000000000"), ErrorCode::limit_exceeded, {"a.glb", "claims far more"});
+  check_mesh_error("a.glb", glb("", "-1"), ErrorCode::limit_exceeded, {"a.glb"});
+  check_mesh_error("a.glb", glb("", "\"four\""), ErrorCode::invalid_mesh, {"a.glb", "glTF"});
+}
+
+TEST_CASE("glTF and DAE nested beyond any real file") {
+  check_mesh_error("a.gltf", std::string(1'000'000, '['), ErrorCode::limit_exceeded, {"a.gltf", "nested"});
+  std::string nodes;
+  for (int i = 0; i < 100'000; ++i) nodes += "<node>";
+  check_mesh_error("a.dae", dae("Z_UP", "1", nodes), ErrorCode::limit_exceeded, {"a.dae:1", "nested"});
+}
+
+TEST_CASE("a PLY cut short or damaged at any byte gives a mesh or an error") {
+  const std::string whole = binary_ply();
+  int errors = 0;
+  const auto try_to_read = [&](const std::string& bytes) {
+    try {
+      palm_mesh("a.ply", bytes);
+    } catch (const Error&) {
+      ++errors;
+    }
+  };
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    try_to_read(whole.substr(0, i));
+    for (const char byte : {'\0', '\x7f', '\xff'}) {
+      std::string damaged = whole;
+      damaged[i] = byte;
+      try_to_read(damaged);
+    }
+  }
+  CHECK(errors > static_cast<int>(whole.size()));
+}
+
+TEST_CASE("a big-endian PLY with other elements, double coordinates and a quadrangle") {
+  std::string bytes =
+      "ply\r\nformat binary_big_endian 1.0\r\ncomment made by a test\r\nelement camera 1\r\nproperty list uchar short "
+      "x\r\n"
+      "element vertex 4\r\nproperty double x\r\nproperty double y\r\nproperty double z\r\nproperty uchar red\r\n"
+      "element face 1\r\nproperty list uchar ushort vertex_index\r\nend_header\r\n";
+  const auto append_big_endian = [&](auto value) {
+    std::string raw;
+    append_bytes(raw, value);
+    bytes.append(raw.rbegin(), raw.rend());
+  };
+  bytes += std::string("\x02", 1) + std::string(4, '\x01');
+  for (const auto& [x, y] : {std::pair{0.0, 0.0}, {2.0, 0.0}, {2.0, 3.0}, {0.0, 3.0}}) {
+    for (const double c : {x, y, 0.0}) append_big_endian(c);
+    bytes += '\xff';
+  }
+  bytes += '\x04';
+  for (std::uint16_t v = 0; v < 4; ++v) append_big_endian(v);
+  const TriangleMesh m = palm_mesh("a.ply", bytes);
+  CHECK(m.triangles.size() == 2);
+  check_near(bounds(m).high, {2, 3, 0});
+}

@@ -59,8 +59,9 @@ class AnatomyInference {
          config_.palm_link ? 1 : found.palm_margin, "palm_link");
     note("fingers", fingers + " fingers",
          "branches of movable joints from the palm, each as long as a finger" +
-             std::string(anatomy_.other_joints.empty() ? "" : "; " + std::to_string(anatomy_.other_joints.size()) +
-                                                                  " other joints are above the palm or too short"),
+             std::string(anatomy_.other_joints.empty() ? ""
+                                                       : "; " + std::to_string(anatomy_.other_joints.size()) +
+                                                             " other joints are above the palm or too short"),
          0.5 + found.chain_margin / 2, "palm_link");
   }
 
@@ -73,15 +74,8 @@ class AnatomyInference {
       finger.p_tip_link = tip.p_link;
       if (tip.confidence < confidence || reason.empty()) reason = tip.reason;
       confidence = std::min(confidence, tip.confidence);
-      center_ += pose_root(finger) / static_cast<double>(count());
     }
     note("fingertips", "one a finger", reason, confidence, "palm_link");
-  }
-
-  Vector3d pose_root(const FingerAnatomy& finger) {
-    const std::vector<double> q(anatomy_.tree.joints.size(), 0.0);
-    pose_finger(anatomy_, finger, q, scratch_);
-    return scratch_.origin.front();
   }
 
   /// Everything at mid range, but for the joints that the config sets.
@@ -90,8 +84,8 @@ class AnatomyInference {
     for (const Joint& joint : tree.joints) q_.push_back(mid_range(joint));
     held_.assign(tree.joints.size(), false);
     for (const auto& [name, value] : config_.q_open) {
-      const auto joint =
-          std::find_if(tree.joints.begin(), tree.joints.end(), [&name = name](const Joint& j) { return j.name == name; });
+      const auto joint = std::find_if(tree.joints.begin(), tree.joints.end(),
+                                      [&name = name](const Joint& j) { return j.name == name; });
       if (joint == tree.joints.end())
         throw Error(ErrorCode::invalid_config, "", "q_open: no finger has a joint \"" + name + "\"",
                     "name a joint of a finger");
@@ -100,7 +94,8 @@ class AnatomyInference {
                     "q_open: joint \"" + name + "\" mimics \"" + tree.joints[joint->mimic_master].name + "\"",
                     "set that joint");
       if (value < joint->lower || value > joint->upper)
-        throw Error(ErrorCode::invalid_config, "", "q_open: " + std::to_string(value) + " is outside the limits of \"" + name + "\"",
+        throw Error(ErrorCode::invalid_config, "",
+                    "q_open: " + std::to_string(value) + " is outside the limits of \"" + name + "\"",
                     "stay within the limits of the URDF");
       const auto index = static_cast<std::size_t>(joint - tree.joints.begin());
       held_[index] = true;
@@ -110,11 +105,14 @@ class AnatomyInference {
   }
 
   void find_motion() {
+    Vector3d center;
     for (const FingerAnatomy& finger : anatomy_.fingers) {
-      flexions_.push_back(find_flexion(anatomy_, finger, center_));
+      flexions_.push_back(find_flexion(anatomy_, finger));
+      center += flexion_origin(anatomy_, finger, flexions_.back()) / static_cast<double>(count());
       mean_length_ += finger_length(anatomy_, finger) / static_cast<double>(count());
     }
     for (std::size_t i = 0; i < count(); ++i) {
+      find_closing_side(anatomy_, anatomy_.fingers[i], center, flexions_[i]);
       std::vector<double> extended = q_;
       extend_finger(anatomy_, anatomy_.fingers[i], flexions_[i], extended);
       for (int joint : anatomy_.fingers[i].joints)
@@ -167,7 +165,8 @@ class AnatomyInference {
   }
 
   void note_normal(const PalmNormal& found) {
-    if (config_.palm_normal_in_root) return note("palm_normal", "as given", "set by the config", 1, "palm_normal_in_root");
+    if (config_.palm_normal_in_root)
+      return note("palm_normal", "as given", "set by the config", 1, "palm_normal_in_root");
     double evidence = 0;
     for (const Flexion& flexion : flexions_) evidence += flexion.evidence / static_cast<double>(count());
     const Vector3d n = anatomy_.T_root_palm.rotation * found.normal;
@@ -191,7 +190,8 @@ class AnatomyInference {
   void name_digits() {
     anatomy_.middle = find_middle_finger(postures_, anatomy_.thumb, anatomy_.palm_normal_palm);
     note("middle_finger", anatomy_.middle < 0 ? "none" : describe(anatomy_.middle),
-         anatomy_.middle < 0 ? "a hand without a thumb, or with too few fingers beside it" : "second from the thumb across the palm",
+         anatomy_.middle < 0 ? "a hand without a thumb, or with too few fingers beside it"
+                             : "second from the thumb across the palm",
          1, "handedness");
 
     double confidence = 1;
@@ -226,17 +226,18 @@ class AnatomyInference {
   const HandModel& model_;
   const HandConfig& config_;
   Anatomy anatomy_;
-  Vector3d center_;                     ///< mean of the finger roots
-  double mean_length_ = 0;              ///< of the fingers
-  std::vector<Flexion> flexions_;       ///< one a finger
-  std::vector<FingerPosture> postures_; ///< one a finger, at `q_`
+  double mean_length_ = 0;               ///< of the fingers
+  std::vector<Flexion> flexions_;        ///< one a finger
+  std::vector<FingerPosture> postures_;  ///< one a finger, at `q_`
   std::vector<double> q_;
-  std::vector<bool> held_;              ///< joints whose open value the config sets
+  std::vector<bool> held_;  ///< joints whose open value the config sets
   FingerPose scratch_;
 };
 
 }  // namespace
 
-Anatomy infer_anatomy(const HandModel& model, const HandConfig& config) { return AnatomyInference(model, config).infer(); }
+Anatomy infer_anatomy(const HandModel& model, const HandConfig& config) {
+  return AnatomyInference(model, config).infer();
+}
 
 }  // namespace uhas

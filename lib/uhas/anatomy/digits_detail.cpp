@@ -49,8 +49,7 @@ Thumb find_thumb(std::span<const FingerPosture> postures, double finger_length) 
       second = std::max(second, others);
     }
   }
-  const double margin =
-      std::min((thumb.likeness - kRowLikeness) / 0.2, (thumb.difference - kThumbDifference) / 0.3);
+  const double margin = std::min((thumb.likeness - kRowLikeness) / 0.2, (thumb.difference - kThumbDifference) / 0.3);
   thumb.confidence = std::clamp(0.5 + 0.5 * std::abs(margin), 0.0, 1.0);
   if (margin < 0) thumb.finger = -1;
   return thumb;
@@ -69,8 +68,8 @@ PalmNormal find_palm_normal(std::span<const FingerPosture> postures, int thumb) 
   const bool gripper = thumb >= 0 && count < 3 && dot(normalized(axis), postures[thumb].axis) < -kOpposed;
   if (coherence > kRowCoherence && !gripper) return {normalized(closing), false, coherence};
 
-  // Opposing fingers swing through the axis they close around: outward, then along it, then inward. Closing direction and
-  // finger direction both have a part along the axis, and their other parts cancel when every side counts once.
+  // Opposing fingers swing through the axis they close around: outward, then along it, then inward. Closing direction
+  // and finger direction both have a part along the axis, and their other parts cancel when every side counts once.
   Vector3d sum;
   double weights = 0;
   for (const FingerPosture& posture : postures) {

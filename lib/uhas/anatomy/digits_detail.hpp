@@ -19,8 +19,8 @@ Thumb find_thumb(std::span<const FingerPosture> postures, double finger_length);
 
 struct PalmNormal {
   Vector3d normal;
-  bool opposing = false;   ///< the fingers close against each other, as a gripper's
-  double coherence = 0;    ///< 0..1: length of the mean that gave the normal
+  bool opposing = false;  ///< the fingers close against each other, as a gripper's
+  double coherence = 0;   ///< 0..1: length of the mean that gave the normal
 };
 
 /// The mean closing direction of fingers that stand in a row; for opposing fingers the axis that they close around.

@@ -13,15 +13,21 @@ namespace {
 constexpr double kShortestArm = 0.1;
 /// Flexion axes are parallel within 30 degrees: side joints between them stand at mid range, which need not be neutral.
 constexpr double kParallel = 0.866;
-/// A straight phalanx at zero may be this part shorter than the longest reach: fingertips are offset from the joint's line.
+/// A straight phalanx at zero may be this part shorter than the longest reach: fingertips are offset from the joint's
+/// line.
 constexpr double kStraightTolerance = 0.015;
 /// Fingers bend back at most this far (rad); a zero so near to the open end is where the designer put "straight".
 constexpr double kHyperextension = 0.4;
 /// Where "straight" lies from the open end on when zero does not tell (rad).
 constexpr double kTypicalHyperextension = 0.15;
 
+/// From this part of the finger's length on, what lies between its root and its first flexion joint is a phalanx too,
+/// and the finger is straight when it continues that.
+constexpr double kShortestMetacarpal = 0.15;
+
 /// Signed rate of flexion joint `position` per unit of its variable, seen along the last flexion axis.
-double flexion_rate(const Anatomy& anatomy, const FingerAnatomy& finger, const FingerPose& pose, int position, int last) {
+double flexion_rate(const Anatomy& anatomy, const FingerAnatomy& finger, const FingerPose& pose, int position,
+                    int last) {
   const Joint& joint = anatomy.tree.joints[finger.joints[position]];
   const double sense = dot(pose.axis[position], pose.axis[last]) < 0 ? -1.0 : 1.0;
   return sense * (joint.mimic_master >= 0 ? joint.mimic_multiplier : 1.0);
@@ -34,36 +40,39 @@ std::vector<double> mid_pose(const KinematicTree& tree) {
   return q;
 }
 
-/// Straightens the flexion joints beyond the first: from the last inward, each puts the tip farthest from the flexion joint
-/// before it. Returns which variables were set.
+/// Straightens the flexion joints beyond the first: from the last inward, each variable puts the tip farthest from the
+/// joint before those that it drives. Returns the variables that were set.
 std::vector<int> straighten(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion,
                             std::span<double> q) {
+  const auto variable_at = [&](std::size_t i) {
+    return variable_of(anatomy.tree, finger.joints[flexion.positions[i]]);
+  };
+  const double tolerance = kStraightTolerance * finger_length(anatomy, finger);
   std::vector<int> set;
   FingerPose pose;
   for (std::size_t i = flexion.positions.size(); i-- > 1;) {
-    const int variable = variable_of(anatomy.tree, finger.joints[flexion.positions[i]]);
+    const int variable = variable_at(i);
     if (std::find(set.begin(), set.end(), variable) != set.end()) continue;
+    std::size_t first_driven = 0;
+    while (variable_at(first_driven) != variable) ++first_driven;
+    const int base = flexion.positions[first_driven == 0 ? 0 : first_driven - 1];
     const auto reach = [&](double value) {
       set_joint(anatomy.tree, variable, value, q);
       pose_finger(anatomy, finger, q, pose);
-      return norm(pose.tip - pose.origin[flexion.positions[i - 1]]);
+      return norm(pose.tip - pose.origin[base]);
     };
-    const double tolerance = kStraightTolerance * finger_length(anatomy, finger);
     set_joint(anatomy.tree, variable, preferred_value(anatomy.tree.joints[variable], tolerance, reach), q);
     set.push_back(variable);
   }
   return set;
 }
 
-Flexion find_sliding(const FingerPose& pose, int last, Vector3d palm_center) {
-  Flexion flexion;
-  flexion.positions = {last};
-  flexion.sliding = true;
-  const Vector3d inward = palm_center - pose.tip;
-  const double toward = dot(inward, pose.axis[last]);
+/// A jaw closes toward the middle of the hand.
+void find_jaw_closing_side(const FingerPose& pose, Vector3d hand_center, Flexion& flexion) {
+  const Vector3d inward = hand_center - pose.tip;
+  const double toward = dot(inward, pose.axis[flexion.positions.back()]);
   flexion.closing_sign = toward < 0 ? -1 : 1;
   flexion.evidence = norm(inward) > 0 ? std::min(1.0, 2 * std::abs(toward) / norm(inward)) : 0;
-  return flexion;
 }
 
 }  // namespace
@@ -134,75 +143,100 @@ double finger_length(const Anatomy& anatomy, const FingerAnatomy& finger) {
   return length;
 }
 
-Flexion find_flexion(const Anatomy& anatomy, const FingerAnatomy& finger, Vector3d palm_center) {
+Flexion find_flexion(const Anatomy& anatomy, const FingerAnatomy& finger) {
+  const auto is_prismatic = [&](int position) {
+    return anatomy.tree.joints[finger.joints[position]].kind == JointKind::prismatic;
+  };
+  FingerPose pose;
+  pose_finger(anatomy, finger, mid_pose(anatomy.tree), pose);
+  const double length = finger_length(anatomy, finger);
+  const auto moves_tip = [&](int position) {
+    const Vector3d arm = cross(pose.axis[position], pose.tip - pose.origin[position]);
+    return is_prismatic(position) || norm(arm) >= kShortestArm * length;
+  };
+
+  Flexion flexion;
+  int last = static_cast<int>(finger.joints.size()) - 1;
+  while (last > 0 && !moves_tip(last)) --last;
+  if (is_prismatic(last)) {
+    flexion.sliding = true;
+    flexion.positions = {last};
+    return flexion;
+  }
+  for (int i = 0; i <= last; ++i)
+    if (!is_prismatic(i) && std::abs(dot(pose.axis[i], pose.axis[last])) > kParallel) flexion.positions.push_back(i);
+  return flexion;
+}
+
+Vector3d flexion_origin(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion) {
+  FingerPose pose;
+  pose_finger(anatomy, finger, mid_pose(anatomy.tree), pose);
+  return pose.origin[flexion.positions.front()];
+}
+
+void find_closing_side(const Anatomy& anatomy, const FingerAnatomy& finger, Vector3d hand_center, Flexion& flexion) {
   const std::vector<Joint>& joints = anatomy.tree.joints;
   std::vector<double> q = mid_pose(anatomy.tree);
   FingerPose pose;
   pose_finger(anatomy, finger, q, pose);
-  const double length = finger_length(anatomy, finger);
+  if (flexion.sliding) return find_jaw_closing_side(pose, hand_center, flexion);
 
-  // the last joint that moves the tip, and those parallel to it
-  int last = static_cast<int>(finger.joints.size()) - 1;
-  const auto moves_tip = [&](int position) {
-    return joints[finger.joints[position]].kind == JointKind::prismatic ||
-           norm(cross(pose.axis[position], pose.tip - pose.origin[position])) >= kShortestArm * length;
-  };
-  while (last > 0 && !moves_tip(last)) --last;
-  if (joints[finger.joints[last]].kind == JointKind::prismatic) return find_sliding(pose, last, palm_center);
-  Flexion flexion;
-  for (int i = 0; i <= last; ++i) {
-    const bool turns = joints[finger.joints[i]].kind != JointKind::prismatic;
-    if (turns && std::abs(dot(pose.axis[i], pose.axis[last])) > kParallel) flexion.positions.push_back(i);
-  }
-
-  // the range to both sides of the extended pose
-  const int first = flexion.positions.front();
-  std::vector<int> variables = straighten(anatomy, finger, flexion, q);
+  const int first = flexion.positions.front(), last = flexion.positions.back();
+  std::vector<int> extended = straighten(anatomy, finger, flexion, q);
   pose_finger(anatomy, finger, q, pose);
-  const Vector3d outward = orthogonal_part(pose.origin[first] - palm_center, pose.axis[last]);
-  const int first_variable = variable_of(anatomy.tree, finger.joints[first]);
-  const bool first_is_free = std::find(variables.begin(), variables.end(), first_variable) == variables.end();
-  if (first_is_free && norm(outward) > kShortestArm * length) {
-    set_joint(anatomy.tree, first_variable,
-              preferred_value(joints[first_variable], 0,
-                              [&](double value) {
-                                set_joint(anatomy.tree, first_variable, value, q);
-                                pose_finger(anatomy, finger, q, pose);
-                                return dot(pose.tip - pose.origin[first], outward);
-                              }),
-              q);
-    variables.push_back(first_variable);
+  const Vector3d outward = orthogonal_part(pose.origin[first] - hand_center, pose.axis[last]);
+  const int variable = variable_of(anatomy.tree, finger.joints[first]);
+  const bool is_free = std::find(extended.begin(), extended.end(), variable) == extended.end();
+  if (is_free && norm(outward) > kShortestArm * finger_length(anatomy, finger)) {
+    const double outermost = preferred_value(joints[variable], 0, [&](double value) {
+      set_joint(anatomy.tree, variable, value, q);
+      pose_finger(anatomy, finger, q, pose);
+      return dot(pose.tip - pose.origin[first], outward);
+    });
+    set_joint(anatomy.tree, variable, outermost, q);
+    extended.push_back(variable);
   }
+
   double positive = 0, negative = 0;
   for (int position : flexion.positions) {
-    const int variable = variable_of(anatomy.tree, finger.joints[position]);
-    if (std::find(variables.begin(), variables.end(), variable) == variables.end()) continue;
+    const int driver = variable_of(anatomy.tree, finger.joints[position]);
+    if (std::find(extended.begin(), extended.end(), driver) == extended.end()) continue;
     const double rate = flexion_rate(anatomy, finger, pose, position, last);
-    const double up = joints[variable].upper - q[variable], down = q[variable] - joints[variable].lower;
+    const double up = joints[driver].upper - q[driver], down = q[driver] - joints[driver].lower;
     positive += std::abs(rate) * (rate > 0 ? up : down);
     negative += std::abs(rate) * (rate > 0 ? down : up);
   }
   flexion.closing_sign = positive < negative ? -1 : 1;
   if (positive + negative > 0) flexion.evidence = std::abs(positive - negative) / (positive + negative);
-  return flexion;
 }
 
 void extend_finger(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion, std::span<double> q) {
-  const std::vector<Joint>& joints = anatomy.tree.joints;
-  const std::vector<int> set = straighten(anatomy, finger, flexion, q);
-  const int variable = variable_of(anatomy.tree, finger.joints[flexion.positions.front()]);
-  if (std::find(set.begin(), set.end(), variable) != set.end()) return;
+  const std::vector<int> straight = straighten(anatomy, finger, flexion, q);
+  const int first = flexion.positions.front();
+  const int variable = variable_of(anatomy.tree, finger.joints[first]);
+  if (std::find(straight.begin(), straight.end(), variable) != straight.end()) return;
+
   FingerPose pose;
   pose_finger(anatomy, finger, q, pose);
-  const double sense = flexion.closing_sign * flexion_rate(anatomy, finger, pose, flexion.positions.front(),
-                                                           flexion.positions.back());
-  const Joint& joint = joints[variable];
+  const Joint& joint = anatomy.tree.joints[variable];
+  const double sense = flexion.closing_sign * flexion_rate(anatomy, finger, pose, first, flexion.positions.back());
   const double open_end = sense > 0 ? joint.lower : joint.upper;
+  const double zero = clamp_to_limits(joint, 0.0);
+  const double length = finger_length(anatomy, finger);
   double value = open_end;
-  if (!flexion.sliding) {
-    const double zero = clamp_to_limits(joint, 0.0);
+  if (flexion.sliding) {
+    // a jaw is open at the end of its range
+  } else if (std::abs(zero - open_end) <= kHyperextension) {
+    value = zero;
+  } else if (norm(pose.origin[first] - pose.origin.front()) > kShortestMetacarpal * length) {
+    value = preferred_value(joint, kStraightTolerance * length, [&](double candidate) {
+      set_joint(anatomy.tree, variable, candidate, q);
+      pose_finger(anatomy, finger, q, pose);
+      return norm(pose.tip - pose.origin.front());
+    });
+  } else {
     const double bent_back = std::min(kTypicalHyperextension, (joint.upper - joint.lower) / 4);
-    value = std::abs(zero - open_end) <= kHyperextension ? zero : open_end + (sense > 0 ? bent_back : -bent_back);
+    value = open_end + (sense > 0 ? bent_back : -bent_back);
   }
   set_joint(anatomy.tree, variable, value, q);
 }

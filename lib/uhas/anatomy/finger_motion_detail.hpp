@@ -19,9 +19,9 @@ void set_joint(const KinematicTree& tree, int variable, double value, std::span<
 /// The middle of a joint's range.
 double mid_range(const Joint& joint);
 
-/// The value of `joint` that a designer would call neutral among those that do well: the clipped zero when its `objective` is
-/// within `tolerance` of the best of the range; on a flat objective the middle of the range, unless zero lies near it; else
-/// the best value.
+/// The value of `joint` that a designer would call neutral among those that do well: the clipped zero when its
+/// `objective` is within `tolerance` of the best of the range; on a flat objective the middle of the range, unless zero
+/// lies near it; else the best value.
 double preferred_value(const Joint& joint, double tolerance, const std::function<double(double)>& objective);
 
 /// Joints of one finger in a pose.
@@ -42,12 +42,18 @@ struct Flexion {
   double evidence = 0;         ///< 0..1: asymmetry of the range about the extended pose
 };
 
-/// Finds the flexion joints and the closing side.
-/// @param palm_center  mean of the finger roots: a finger bends from pointing away from it
-Flexion find_flexion(const Anatomy& anatomy, const FingerAnatomy& finger, Vector3d palm_center);
+/// Finds the flexion joints: those parallel to the last joint that moves the tip, with everything at mid range.
+Flexion find_flexion(const Anatomy& anatomy, const FingerAnatomy& finger);
 
-/// Extends the finger in `q`: distal flexion joints straight, the first one at the open end of its range or at a zero near it;
-/// other joints keep their values.
+/// The first flexion joint's origin, everything at mid range.
+Vector3d flexion_origin(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion);
+
+/// Sets `closing_sign` and `evidence`: fingers close to the side with the larger range from the extended pose.
+/// @param hand_center  mean of the fingers' flexion origins: an extended finger points away from it
+void find_closing_side(const Anatomy& anatomy, const FingerAnatomy& finger, Vector3d hand_center, Flexion& flexion);
+
+/// Extends the finger in `q`: distal flexion joints straight, the first one at the open end of its range or at a zero
+/// near it; other joints keep their values.
 void extend_finger(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion, std::span<double> q);
 
 /// A finger as the rest of the hand sees it; unit vectors, orthogonal to each other.

@@ -1,16 +1,18 @@
 #include "uhas/anatomy/open_pose_detail.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <limits>
+#include <utility>
 
 namespace uhas {
 namespace {
 
 /// What a zero may cost against the best opening of a finger, which is 2; a base joint 10 degrees off costs as much.
 constexpr double kSnapTolerance = 0.03;
-/// Coordinate sweeps from each start.
-constexpr int kSweeps = 4;
+/// The same for a thumb, whose pad rarely faces along the normal: its optimum is blunt.
+constexpr double kThumbSnapTolerance = 0.07;
+/// Gains smaller than this end the search.
+constexpr double kGain = 1e-4;
 /// Side joints whose combinations of low, middle and high values are starts.
 constexpr std::size_t kMaxStartJoints = 3;
 
@@ -51,31 +53,33 @@ std::vector<FingerGroup> group_fingers(const Anatomy& anatomy) {
 
 class OpenPoseSearch {
  public:
-  OpenPoseSearch(const Anatomy& anatomy, std::span<const Flexion> flexions, Vector3d normal, const std::vector<bool>& held)
+  OpenPoseSearch(const Anatomy& anatomy, std::span<const Flexion> flexions, Vector3d normal,
+                 const std::vector<bool>& held)
       : anatomy_(anatomy), flexions_(flexions), normal_(normal), held_(held) {
     for (const FingerAnatomy& finger : anatomy.fingers) length_.push_back(finger_length(anatomy, finger));
   }
 
   void open(FingerGroup group, std::vector<double>& q) {
-    std::erase_if(group.variables, [&](int variable) { return held_[variable] || is_jaw(variable); });
-    std::vector<double> best = q;
-    double best_value = -1e9;
+    std::erase_if(group.variables, [&](int variable) { return held_[variable] || stays_extended(group, variable); });
+    double best_value = -std::numeric_limits<double>::infinity();
+    std::vector<double> best;
     for (std::vector<double>& start : starts(group, q)) {
       const double value = climb(group, start);
-      if (value > best_value + 1e-9) best = start, best_value = value;
+      if (value > best_value + kGain) best = start, best_value = value;
     }
     q = best;
     snap(group, q);
   }
 
  private:
-  /// How open the fingers of the group are: 2 for each that is straight in the palm plane with its pad along the normal.
+  /// How open the fingers of the group are: 2 for each that is straight in the palm plane with its pad along the
+  /// normal.
   double openness(const FingerGroup& group, std::span<const double> q) {
     double sum = 0;
     for (int finger : group.fingers) {
-      const FingerPosture posture =
-          measure_posture(anatomy_, anatomy_.fingers[finger], flexions_[finger], q, scratch_);
-      sum += norm(orthogonal_part(posture.tip - posture.root, normal_)) / length_[finger] + dot(posture.closing, normal_);
+      const FingerPosture posture = measure_posture(anatomy_, anatomy_.fingers[finger], flexions_[finger], q, scratch_);
+      sum +=
+          norm(orthogonal_part(posture.tip - posture.root, normal_)) / length_[finger] + dot(posture.closing, normal_);
     }
     return sum;
   }
@@ -85,20 +89,23 @@ class OpenPoseSearch {
     return openness(group, q);
   }
 
-  /// A sliding jaw is open at the end of its range; it has no in-plane extension.
-  bool is_jaw(int variable) const {
-    for (std::size_t i = 0; i < flexions_.size(); ++i) {
-      const int joint = anatomy_.fingers[i].joints[flexions_[i].positions.front()];
-      if (flexions_[i].sliding && variable_of(anatomy_.tree, joint) == variable) return true;
+  /// Distal flexion joints, a thumb's flexion joints and sliding jaws are open where `q` has them: straight, or at the
+  /// end. What is left to find are side and roll joints, and the angle of a finger's base to the palm.
+  bool stays_extended(const FingerGroup& group, int variable) const {
+    for (int finger : group.fingers) {
+      const Flexion& flexion = flexions_[finger];
+      const std::size_t from = finger == anatomy_.thumb || flexion.sliding ? 0 : 1;
+      for (std::size_t i = from; i < flexion.positions.size(); ++i)
+        if (variable_of(anatomy_.tree, anatomy_.fingers[finger].joints[flexion.positions[i]]) == variable) return true;
     }
     return false;
   }
 
-  bool flexes(const FingerGroup& group, int variable) const {
-    for (int finger : group.fingers)
-      for (int position : flexions_[finger].positions)
-        if (variable_of(anatomy_.tree, anatomy_.fingers[finger].joints[position]) == variable) return true;
-    return false;
+  bool is_base_flexion(const FingerGroup& group, int variable) const {
+    return std::any_of(group.fingers.begin(), group.fingers.end(), [&](int finger) {
+      const int joint = anatomy_.fingers[finger].joints[flexions_[finger].positions.front()];
+      return variable_of(anatomy_.tree, joint) == variable;
+    });
   }
 
   /// `q` and every combination of low, middle and high values of the first side joints.
@@ -106,7 +113,7 @@ class OpenPoseSearch {
     std::vector<std::vector<double>> starts = {q};
     std::size_t varied = 0;
     for (int variable : group.variables) {
-      if (flexes(group, variable) || varied++ == kMaxStartJoints) continue;
+      if (is_base_flexion(group, variable) || varied++ == kMaxStartJoints) continue;
       const Joint& joint = anatomy_.tree.joints[variable];
       const std::size_t count = starts.size();
       for (std::size_t i = 0; i < count; ++i) {
@@ -121,26 +128,27 @@ class OpenPoseSearch {
 
   /// Coordinate ascent; every joint scans its whole range.
   double climb(const FingerGroup& group, std::vector<double>& q) {
-    for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    double value = openness(group, q);
+    for (;;) {
       for (int variable : group.variables) {
-        const double value = preferred_value(anatomy_.tree.joints[variable], 1e-6, [&](double candidate) {
-          return try_value(group, variable, candidate, q);
-        });
-        set_joint(anatomy_.tree, variable, value, q);
+        const double best = preferred_value(anatomy_.tree.joints[variable], kGain,
+                                            [&](double candidate) { return try_value(group, variable, candidate, q); });
+        set_joint(anatomy_.tree, variable, best, q);
       }
+      const double before = std::exchange(value, openness(group, q));
+      if (value <= before + kGain) return value;
     }
-    return openness(group, q);
   }
 
   /// Designers put "open" at zero: zero is taken where it costs next to nothing.
   void snap(const FingerGroup& group, std::vector<double>& q) {
-    const double tolerance = kSnapTolerance * static_cast<double>(group.fingers.size());
-    const double lowest = openness(group, q) - tolerance;
+    double lowest = openness(group, q);
+    for (int finger : group.fingers) lowest -= finger == anatomy_.thumb ? kThumbSnapTolerance : kSnapTolerance;
     for (int variable : group.variables) {
       const double best = openness(group, q);
-      const double value = preferred_value(anatomy_.tree.joints[variable], best - lowest, [&, trial = q](double candidate) mutable {
-        return try_value(group, variable, candidate, trial);
-      });
+      const double value = preferred_value(
+          anatomy_.tree.joints[variable], best - lowest,
+          [&, trial = q](double candidate) mutable { return try_value(group, variable, candidate, trial); });
       set_joint(anatomy_.tree, variable, value, q);
     }
   }

@@ -17,7 +17,8 @@ constexpr double kLeastInPlane = 0.2;
 
 std::vector<double> azimuths(const PalmPlane& plane, const std::vector<Vector3d>& points) {
   std::vector<double> result;
-  for (const Vector3d& p : points) result.push_back(std::atan2(dot(p - plane.center, plane.y), dot(p - plane.center, plane.x)));
+  for (const Vector3d& p : points)
+    result.push_back(std::atan2(dot(p - plane.center, plane.y), dot(p - plane.center, plane.x)));
   return result;
 }
 

@@ -119,8 +119,10 @@ const char* name_of(Handedness handedness) {
 HandConfig read_hand_config(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw Error(ErrorCode::file_unreadable, path, "cannot be read", "check the path and its permissions");
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  return parse_hand_config({std::istreambuf_iterator<char>(file), {}}, path);
+}
 
+HandConfig parse_hand_config(const std::string& text, const std::string& path) {
   json document;
   try {
     document = json::parse(text);
@@ -128,6 +130,8 @@ HandConfig read_hand_config(const std::string& path) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
     const auto line = 1 + std::count(text.begin(), end, '\n');
     throw Error(ErrorCode::syntax, path + ":" + std::to_string(line), "not valid JSON", "");
+  } catch (const json::exception&) {
+    refuse(path, "a number is beyond the range of double", "");
   }
   if (!document.is_object()) refuse(path, "not a JSON object", "");
   check_keys(document, path);

@@ -23,6 +23,9 @@ struct HandConfig {
 /// Throws Error: file_unreadable, syntax, invalid_config (an unknown key names the nearest known one).
 HandConfig read_hand_config(const std::string& path);
 
+/// The same from JSON text; `file` names its source in errors.
+HandConfig parse_hand_config(const std::string& text, const std::string& file);
+
 /// The config as canonical JSON text (sorted keys, no white space): part of the profile's settings.
 std::string to_canonical_json(const HandConfig& config);
 

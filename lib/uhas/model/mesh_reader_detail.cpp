@@ -18,6 +18,7 @@
 #include <string_view>
 
 #include "uhas/base/errors.hpp"
+#include "uhas/model/ply_reader_detail.hpp"
 
 namespace uhas::detail {
 namespace {
@@ -179,6 +180,15 @@ TriangleMesh read_mesh(const fs::path& path, const std::string& reference, const
   if (std::ranges::find(known_extensions, extension) == known_extensions.end())
     throw Error(ErrorCode::invalid_mesh, path, "meshes of the type '." + extension + "' cannot be read",
                 "convert it to STL, OBJ, DAE, PLY, GLB or glTF");
+
+  if (extension == "ply") {
+    const FileBytes bytes = read_file(path, options.max_mesh_bytes);
+    sources.add(path, reference, bytes);
+    TriangleMesh mesh = read_ply(bytes, path, options.max_triangles);
+    if (mesh.triangles.empty())
+      throw Error(ErrorCode::invalid_mesh, path, "the mesh has no triangle", "export the mesh again");
+    return mesh;
+  }
 
   Assimp::Importer importer;
   restrict_to(extension, importer);

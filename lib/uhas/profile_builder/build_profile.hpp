@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "uhas/classification/closed_pose.hpp"
 #include "uhas/correspondences/correspondences.hpp"
@@ -35,12 +36,20 @@ enum class Stage : int { model, anatomy, sphere_frame, classification, lateral_t
 using StageListener = std::function<void(const char* stage)>;
 
 /// Runs every stage up to and including `last`.
-BuildStages run_stages(const std::string& urdf_path, const BuildSettings& settings, Stage last, const StageListener& listener = {});
+BuildStages run_stages(const std::string& urdf_path, const BuildSettings& settings, Stage last,
+                       const StageListener& listener = {});
+
+/// The warnings of every stage that has run, in the order of the stages.
+std::vector<std::string> stage_warnings(const BuildStages& stages);
+
+/// Indices into `Anatomy::fingers`, ordered by the first slot a finger owns: the order of `HandProfile::fingers`.
+std::vector<int> fingers_by_slot(const SphereFrame& frame);
 
 /// All that the stages found as one profile.
 HandProfile make_profile(const BuildStages& stages, const BuildSettings& settings);
 
 /// `run_stages` to the end, then `make_profile`.
-HandProfile build_profile(const std::string& urdf_path, const BuildSettings& settings = {}, const StageListener& listener = {});
+HandProfile build_profile(const std::string& urdf_path, const BuildSettings& settings = {},
+                          const StageListener& listener = {});
 
 }  // namespace uhas

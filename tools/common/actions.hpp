@@ -1,0 +1,29 @@
+// Reads actions (schemas/actions.schema.json): strict, so that a wrong number never reaches a hand.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "uhas/runtime/action.hpp"
+
+namespace uhas::tools {
+
+/// A file of actions, all with the same number V of driving vectors.
+struct ActionsDocument {
+  std::string profile;  ///< path of the hand profile, relative to the actions file if it was so; empty = not stated
+  std::vector<double> driving_vectors_phi;  ///< [V] or [5 V]; empty = the default angles
+  bool normalized = false;
+  std::vector<std::vector<double>> actions;  ///< [5 + 5 V] each
+
+  Action<double> action(std::size_t index) const { return {actions[index], driving_vectors_phi, normalized}; }
+};
+
+/// Throws Error: file_unreadable, limit_exceeded (over 64 MiB), syntax, invalid_action naming the file and the action.
+ActionsDocument read_actions(const std::string& path);
+
+/// The action in one line of JSON Lines: an array or an object. Throws Error: syntax, invalid_action.
+std::vector<double> parse_action(std::string_view line);
+
+}  // namespace uhas::tools

@@ -1,0 +1,35 @@
+// JSON in and out: documents that keep the order of their keys, read within bounds, printed for people and machines
+// alike.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+#include "uhas/base/rigid_transform.hpp"
+
+namespace uhas::tools {
+
+using Json = nlohmann::ordered_json;
+
+/// A document of `format`, version 1; every document opens so.
+Json new_document(const std::string& format);
+
+Json to_json(Vector3d v);          ///< [x, y, z]
+Json to_json(const Rotationd& R);  ///< three rows
+
+/// Indented text: what fits in a line stays in one, lists of numbers too. Numbers round-trip; NaN is null.
+/// Bytes that are not UTF-8 become U+FFFD. Ends with a line break.
+std::string to_text(const Json& document);
+
+/// The same in one line, for JSON Lines.
+std::string to_line(const Json& document);
+
+/// Parses `text`. Throws Error(syntax) naming `file` and the line, also for more than 16 levels of nesting.
+Json parse_json(std::string_view text, const std::string& file);
+
+/// Reads and parses a file. Throws Error: file_unreadable, limit_exceeded, syntax.
+Json read_json_file(const std::string& path, std::uint64_t max_bytes);
+
+}  // namespace uhas::tools

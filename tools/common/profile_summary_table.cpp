@@ -1,0 +1,108 @@
+#include <algorithm>
+#include <ostream>
+
+#include "common/names.hpp"
+#include "common/profile_summary.hpp"
+#include "common/table.hpp"
+
+namespace uhas::tools {
+namespace {
+
+/// A joint value: degrees, or millimetres with their unit.
+std::string joint_value(const Joint& joint, double q) {
+  return joint.kind == JointKind::prismatic ? millimetres(q) + " mm" : degrees(q);
+}
+
+std::string slots_text(const ProfileFinger& finger) {
+  std::vector<std::string> numbers;
+  for (const int slot : slot_numbers(finger.slots)) numbers.push_back(std::to_string(slot));
+  return join(numbers, ",");
+}
+
+/// The joint's class, and what keeps it from being driven.
+std::string role_text(const HandProfile& profile, const ProfileFinger& finger, int index) {
+  const Joint& joint = profile.tree.joints[index];
+  const JointClass joint_class = profile.joint_traits[index].joint_class;
+  std::string text = to_word(joint_class);
+  if (joint.mimic_master >= 0) return text + ", follows " + profile.tree.joints[joint.mimic_master].name;
+  const bool driven = finger.lateral_table >= 0 && profile.lateral_tables[finger.lateral_table].joint == index;
+  if (joint_class == JointClass::lateral && !driven) text += ", stays at neutral";
+  return text;
+}
+
+void print_fingers(std::ostream& out, const HandProfile& profile) {
+  Table table({{"finger"},
+               {"slots"},
+               {"tip link"},
+               {"tip phi", Align::right},
+               {"sideways", Align::right},
+               {"points", Align::right}});
+  for (const ProfileFinger& finger : profile.fingers) {
+    std::string range = "-";
+    if (finger.lateral_table >= 0) {
+      const LateralTable& lateral = profile.lateral_tables[finger.lateral_table];
+      range = degrees(lateral.delta_theta_lower) + " .. " + degrees(lateral.delta_theta_upper);
+    }
+    table.add_row({finger.name, slots_text(finger), profile.links[finger.tip_link].name, degrees(finger.tip_phi), range,
+                   std::to_string(points_of_finger(profile, finger))});
+  }
+  table.print(out);
+  for (const ProfileFinger& finger : profile.fingers)
+    if (finger.lateral_table < 0) out << finger.name << " has no lateral joint: it ignores its delta theta.\n";
+}
+
+void print_joints(std::ostream& out, const HandProfile& profile, bool with_poses) {
+  std::vector<Table::Column> columns{
+      {"finger"}, {"joint"}, {"class"}, {"lower", Align::right}, {"upper", Align::right}};
+  if (with_poses)
+    for (const char* pose : {"open", "sphere", "closed"}) columns.push_back({pose, Align::right});
+  Table table(columns);
+  for (const ProfileFinger& finger : profile.fingers)
+    for (const int index : finger.joints) {
+      const Joint& joint = profile.tree.joints[index];
+      const JointTraits& traits = profile.joint_traits[index];
+      std::vector<std::string> cells{index == finger.joints.front() ? finger.name : "", joint.name,
+                                     role_text(profile, finger, index), joint_value(joint, joint.lower),
+                                     joint_value(joint, joint.upper)};
+      if (with_poses)
+        for (const double q : {traits.q_open, traits.q_sphere, traits.q_closed}) cells.push_back(joint_value(joint, q));
+      table.add_row(cells);
+    }
+  table.print(out);
+  if (!profile.other_joints.empty()) out << "Not of a finger: " << join(profile.other_joints, ", ") << '\n';
+}
+
+void print_findings(std::ostream& out, const HandProfile& profile) {
+  Table table({{"inferred"}, {"value"}, {"confidence", Align::right}, {"because"}});
+  for (const Finding& finding : profile.findings)
+    table.add_row({finding.item, finding.value, fixed(finding.confidence, 2), finding.reason});
+  table.print(out);
+}
+
+}  // namespace
+
+void print_profile(std::ostream& out, const HandProfile& profile, bool in_full) {
+  const RigidTransformd T_root_sphere = profile.T_root_palm * profile.T_palm_sphere;
+  const Vector3d center = T_root_sphere.translation;
+  const Vector3d normal = T_root_sphere.rotation.column(2);
+  const auto used =
+      std::ranges::count_if(profile.correspondences, [](const Correspondence& p) { return p.weight > 0; });
+
+  out << "Hand    " << profile.hand;
+  if (profile.handedness != Handedness::none) out << ", a " << to_word(profile.handedness) << " hand";
+  out << "\nPalm    link " << profile.palm_link << ", normal (" << fixed(normal.x, 3) << ", " << fixed(normal.y, 3)
+      << ", " << fixed(normal.z, 3) << ") in " << profile.root_link << "\nSphere  radius "
+      << millimetres(profile.radius) << " mm, centre (" << millimetres(center.x) << ", " << millimetres(center.y)
+      << ", " << millimetres(center.z) << ") mm in " << profile.root_link << "\nPoints  "
+      << profile.correspondences.size() << " on the surface, " << used
+      << " of them used by the solver\nAngles are in degrees.\n\n";
+  print_fingers(out, profile);
+  out << '\n';
+  print_joints(out, profile, in_full);
+  if (in_full && !profile.findings.empty()) {
+    out << '\n';
+    print_findings(out, profile);
+  }
+}
+
+}  // namespace uhas::tools

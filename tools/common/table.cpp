@@ -1,0 +1,57 @@
+#include "common/table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <numbers>
+#include <ostream>
+
+namespace uhas::tools {
+namespace {
+
+/// Code points of UTF-8 text: every byte but the continuation bytes 10xxxxxx.
+std::size_t width(const std::string& text) {
+  return std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
+}
+
+}  // namespace
+
+void Table::print(std::ostream& out) const {
+  std::vector<std::size_t> widths;
+  for (const Column& column : columns_) widths.push_back(width(column.header));
+  for (const auto& row : rows_)
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width(row[i]));
+
+  const auto print_row = [&](auto&& cell) {
+    std::string line;
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      const std::string padding(widths[i] - width(cell(i)), ' ');
+      if (i > 0) line += "  ";
+      line += columns_[i].align == Align::left ? cell(i) + padding : padding + cell(i);
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    out << line << '\n';
+  };
+  print_row([&](std::size_t i) -> const std::string& { return columns_[i].header; });
+  for (const auto& row : rows_) print_row([&](std::size_t i) -> const std::string& { return row[i]; });
+}
+
+std::string fixed(double value, int decimals) {
+  std::array<char, 400> text{};  // the largest double has 309 digits before the point
+  std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
+  std::string result = text.data();
+  const bool is_zero = result.find_first_of("123456789in") == std::string::npos;  // "in": inf and nan
+  return is_zero && result[0] == '-' ? result.substr(1) : result;
+}
+
+std::string degrees(double radians) { return fixed(radians * 180 / std::numbers::pi, 1); }
+
+std::string millimetres(double metres) { return fixed(metres * 1000, 1); }
+
+std::string join(const std::vector<std::string>& words, const std::string& separator) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) text += (i > 0 ? separator : "") + words[i];
+  return text;
+}
+
+}  // namespace uhas::tools

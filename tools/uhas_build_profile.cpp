@@ -1,0 +1,46 @@
+// uhas-build-profile: a URDF becomes a hand profile.
+#include <algorithm>
+#include <iostream>
+
+#include "common/hand_input.hpp"
+#include "common/profile_summary.hpp"
+#include "uhas/profile_io/write_profile.hpp"
+
+using namespace uhas;
+using namespace uhas::tools;
+
+namespace {
+
+std::string default_output(const HandProfile& profile) {
+  std::string name = profile.hand.empty() ? "hand" : profile.hand;
+  std::ranges::replace(name, '/', '_');
+  return name + ".h5";
+}
+
+ExitCode build(Tool& tool) {
+  HandInput input;
+  std::string output;
+  tool.options().description("Builds the profile of a robot hand from its URDF.");
+  add_hand_options(tool.options(), input);
+  add_lateral_options(tool.options(), input.settings.lateral_tables);
+  add_surface_options(tool.options(), input.settings.correspondences);
+  tool.options().add_option("-o,--output", output, "Hand profile to write [<robot name>.h5]")->type_name("FILE");
+  tool.parse();
+
+  const BuildStages stages = run_stages(tool, input, Stage::correspondences);
+  const HandProfile profile = make_profile(stages, input.settings);
+  if (output.empty()) output = default_output(profile);
+  write_profile(profile, output);
+
+  if (tool.json()) {
+    std::cout << to_text(profile_summary_json(profile));
+  } else if (!tool.quiet()) {
+    print_profile(std::cout, profile, false);
+    std::cout << "\nWrote " << output << '\n';
+  }
+  return ExitCode::done;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) { return run_tool("uhas-build-profile", argc, argv, build); }

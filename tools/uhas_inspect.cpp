@@ -1,0 +1,89 @@
+// uhas-inspect: what a hand profile says, and whether it still holds.
+#include <algorithm>
+#include <iostream>
+
+#include "common/hand_input.hpp"
+#include "common/profile_check.hpp"
+#include "common/profile_summary.hpp"
+#include "common/table.hpp"
+#include "uhas/profile_builder/settings_json.hpp"
+#include "uhas/profile_io/read_profile.hpp"
+#include "uhas/profile_io/reseal_profile.hpp"
+
+using namespace uhas;
+using namespace uhas::tools;
+
+namespace {
+
+struct Options {
+  std::string profile, urdf;
+  std::vector<PackageFolder> packages;
+  bool validate = false, reseal = false;
+};
+
+void add_options(CLI::App& app, Options& options) {
+  app.description("Shows what a hand profile says: palm, sphere, fingers, joints and poses.");
+  app.add_option("profile.h5", options.profile, "Hand profile")->required()->type_name("FILE");
+  app.add_flag("--validate", options.validate, "Check instead that the profile is sound; exit 1 when it is not");
+  app.add_option("--check", options.urdf,
+                 "Check instead that the profile was built from this URDF and its meshes; exit 1 when not")
+      ->type_name("hand.urdf");
+  add_package_option(app, options.packages);
+  app.add_flag("--reseal", options.reseal, "Make a profile that was edited with an HDF5 tool readable again");
+}
+
+/// The files as the build read them: the same choice of geometry.
+HandModel load_again(const HandProfile& profile, const Options& options) {
+  LoadOptions load = settings_from_json(profile.settings_json, options.profile).load;
+  load.packages = options.packages;
+  return load_hand_model(options.urdf, load);
+}
+
+ExitCode report(const Tool& tool, const Options& options, const HandProfile& profile,
+                const std::vector<Check>& checks) {
+  const bool passed = std::ranges::all_of(checks, &Check::passed);
+  if (tool.json()) {
+    std::cout << to_text(profile_check_json(profile, checks));
+  } else {
+    Table table({{"check"}, {"result"}, {"found"}});
+    for (const Check& check : checks) table.add_row({check.item, check.passed ? "ok" : "FAILED", check.detail});
+    table.print(std::cout);
+  }
+  if (passed) return ExitCode::done;
+
+  std::vector<std::string> failed;
+  for (const Check& check : checks)
+    if (!check.passed) failed.push_back(check.item + " (" + check.detail + ")");
+  tool.report_error(options.profile + ": failed: " + join(failed, ", ") + "; rebuild it with uhas-build-profile");
+  return ExitCode::run_failed;
+}
+
+ExitCode run(Tool& tool) {
+  Options options;
+  add_options(tool.options(), options);
+  tool.parse();
+
+  if (options.reseal) {
+    reseal_profile(options.profile);
+    tool.log("resealed " + options.profile);
+  }
+  const HandProfile profile = read_profile(options.profile);
+  if (options.validate || !options.urdf.empty()) {
+    std::vector<Check> checks;
+    if (options.validate) checks = check_behaviour(profile);
+    if (!options.urdf.empty())
+      std::ranges::copy(check_sources(profile, load_again(profile, options)), std::back_inserter(checks));
+    return report(tool, options, profile, checks);
+  }
+
+  if (tool.json())
+    std::cout << to_text(profile_summary_json(profile));
+  else
+    print_profile(std::cout, profile, true);
+  tool.warn(profile.warnings);
+  return ExitCode::done;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) { return run_tool("uhas-inspect", argc, argv, run); }

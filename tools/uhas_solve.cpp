@@ -1,0 +1,91 @@
+// uhas-solve: actions become joint angles.
+#include <iostream>
+
+#include "common/actions.hpp"
+#include "common/json_lines.hpp"
+#include "common/output.hpp"
+#include "common/solution.hpp"
+#include "common/tool.hpp"
+#include "uhas/profile_io/read_profile.hpp"
+
+using namespace uhas;
+using namespace uhas::tools;
+
+namespace {
+
+struct Options {
+  std::string actions, profile, output;
+  SolveOptions solve;
+  JointSelection joints;
+};
+
+void add_options(CLI::App& app, Options& options) {
+  app.description("Turns actions, deformations of the sphere, into joint angles of a hand.");
+  app.add_option("actions.json", options.actions, "Actions; - reads one action a line (JSON Lines) from standard input")
+      ->required()
+      ->type_name("FILE");
+  app.add_option("--profile", options.profile, "Hand profile [the one that the actions file names]")->type_name("FILE");
+  app.add_option("-o,--output", options.output, "File to write the solution to [standard output]")->type_name("FILE");
+  add_choice<Rule>(app, "--rule", options.solve.rule,
+                   {{"correspondence", Rule::correspondence}, {"contact", Rule::contact}},
+                   "How a joint angle follows from the deformed sphere [correspondence]");
+  add_choice<Closing>(app, "--closing", options.solve.closing, {{"fade", Closing::fade}, {"hard", Closing::hard}},
+                      "How joints close as the sphere vanishes [fade]");
+  add_choice<FieldReading>(app, "--field", options.solve.field,
+                           {{"finger", FieldReading::finger}, {"field", FieldReading::field}},
+                           "Which deformation a point takes: its finger's, or the interpolated one [finger]");
+  app.add_option("--passes", options.solve.passes, "Sweeps over each finger; more come nearer to the optimum [1]")
+      ->check(CLI::Range(1, 100).description(""))
+      ->type_name("N");
+  app.add_option("--joint-order", options.joints.order, "Joints to print, in this order [those of the profile]")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("A,B,C");
+  app.add_flag("--actuated-only", options.joints.actuated_only, "Leave out joints that follow another one");
+}
+
+ExitCode solve_stream(const Tool& tool, const Options& options) {
+  if (options.profile.empty()) throw Tool::wrong_usage("--profile", "needed when actions come from standard input");
+  if (!options.output.empty()) throw Tool::wrong_usage("--output", "a stream of solutions goes to standard output");
+  const HandProfile profile = read_profile(options.profile);
+  SolutionMaker maker(profile, options.solve, options.joints);
+  const std::size_t failed = answer_json_lines(std::cin, std::cout, [&](const std::string& line) {
+    const std::vector<double> values = parse_action(line);
+    return maker.solve({.values = values, .driving_vectors_phi = {}}, "");
+  });
+  if (failed == 0) return ExitCode::done;
+  tool.report_error("standard input: " + std::to_string(failed) +
+                    " of the lines could not be solved; see \"error\" in the output");
+  return ExitCode::run_failed;
+}
+
+ExitCode solve_file(const Options& options) {
+  const ActionsDocument document = read_actions(options.actions);
+  const std::string profile_path = options.profile.empty() ? document.profile : options.profile;
+  if (profile_path.empty())
+    throw Tool::wrong_usage("--profile", "needed because " + options.actions + " does not name a hand profile");
+  const HandProfile profile = read_profile(profile_path);
+  SolutionMaker maker(profile, options.solve, options.joints);
+
+  Json solutions = Json::array();
+  for (std::size_t i = 0; i < document.actions.size(); ++i)
+    solutions.push_back(maker.solve(document.action(i), options.actions + ": action " + std::to_string(i)));
+
+  Json result = new_document("uhas-solution");
+  result["hand"] = profile.hand;
+  result["joint_names"] = maker.joint_names();
+  result["solutions"] = solutions;
+  write_result(options.output, to_text(result));
+  return ExitCode::done;
+}
+
+ExitCode run(Tool& tool) {
+  Options options;
+  add_options(tool.options(), options);
+  tool.parse();
+  return options.actions == "-" ? solve_stream(tool, options) : solve_file(options);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) { return run_tool("uhas-solve", argc, argv, run); }

@@ -22,27 +22,28 @@ struct FingerAnatomy {
 struct Anatomy {
   std::string hand;
   std::string root_link, palm_link;
-  RigidTransformd T_root_palm;              ///< non-finger joints at zero clipped to their limits
+  RigidTransformd T_root_palm;  ///< non-finger joints at zero clipped to their limits
 
-  KinematicTree tree;                       ///< joints of the fingers and the masters they mimic, in the model's order; root frame P.
-                                            ///< Every limit is finite: a continuous joint has q_open -+ pi
-  std::vector<std::string> other_joints;    ///< every other movable joint of the URDF
-  std::vector<ProfileLink> links;           ///< links carried by the palm or by a joint of `tree`
-  std::vector<int> model_links;             ///< links[i] is HandModel::links[model_links[i]]
+  KinematicTree tree;  ///< joints of the fingers and the masters they mimic, in the model's order; root frame P.
+                       ///< Every limit is finite: a continuous joint has q_open -+ pi
+  std::vector<std::string> other_joints;  ///< every other movable joint of the URDF
+  std::vector<ProfileLink> links;         ///< links carried by the palm or by a joint of `tree`
+  std::vector<int> model_links;           ///< links[i] is HandModel::links[model_links[i]]
 
   std::vector<FingerAnatomy> fingers;
-  int thumb = -1;                           ///< index into `fingers`; -1 = no thumb
-  int middle = -1;                          ///< index into `fingers`; -1 = no middle finger
+  int thumb = -1;   ///< index into `fingers`; -1 = no thumb
+  int middle = -1;  ///< index into `fingers`; -1 = no middle finger
   Handedness handedness = Handedness::none;
-  Vector3d palm_normal_palm;                ///< outward palm normal, unit, in P
-  std::vector<double> q_open;               ///< one value a joint of `tree`: fingers extended, pads toward the palm normal
+  Vector3d palm_normal_palm;   ///< outward palm normal, unit, in P
+  std::vector<double> q_open;  ///< one value a joint of `tree`: fingers extended, pads toward the palm normal
 
   std::vector<Finding> findings;
   std::vector<std::string> warnings;
 };
 
 /// Infers the anatomy; `config` overrides item by item.
-/// Throws Error(invalid_hand) when no hand can be found, Error(invalid_config) when the config names what the model lacks.
+/// Throws Error(invalid_hand) when no hand can be found, Error(invalid_config) when the config names what the model
+/// lacks.
 Anatomy infer_anatomy(const HandModel& model, const HandConfig& config = {});
 
 }  // namespace uhas

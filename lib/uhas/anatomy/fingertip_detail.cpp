@@ -6,8 +6,8 @@
 namespace uhas {
 namespace {
 
-/// A frame is a tip frame from this part of the group's extent along the finger on; covers and pads sit nearer the joint,
-/// markers and tool frames stand off the surface.
+/// A frame is a tip frame from this part of the group's extent along the finger on; covers and pads sit nearer the
+/// joint, markers and tool frames stand off the surface.
 constexpr double kNearestTipFrame = 0.6, kFarthestTipFrame = 1.25;
 /// The outer part of the group whose surface is the fingertip.
 constexpr double kTipCap = 0.1;
@@ -52,8 +52,8 @@ Surface measure_surface(const HandModel& model, const Anatomy& anatomy, const st
   return surface;
 }
 
-/// The far end of the surface: the middle of its outer cap, at the height of its farthest point. A mean over the cap, for a
-/// single farthest vertex would be one of several on a flat or symmetric end.
+/// The far end of the surface: the middle of its outer cap, at the height of its farthest point. A mean over the cap,
+/// for a single farthest vertex would be one of several on a flat or symmetric end.
 Fingertip find_surface_tip(const HandModel& model, const Anatomy& anatomy, const std::vector<std::size_t>& links,
                            const Surface& surface) {
   const double cap = (1 - kTipCap) * surface.extent;

@@ -14,8 +14,8 @@ struct Fingertip {
   double confidence = 1;
 };
 
-/// The tip frame of `finger` when there is one, else the far end of its last rigid group's surface. Reads tree, links and the
-/// joints of the finger.
+/// The tip frame of `finger` when there is one, else the far end of its last rigid group's surface. Reads tree, links
+/// and the joints of the finger.
 Fingertip find_fingertip(const HandModel& model, const Anatomy& anatomy, const FingerAnatomy& finger);
 
 }  // namespace uhas

@@ -5,11 +5,10 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <numeric>
 #include <string_view>
 #include <vector>
-
-#include <nlohmann/json.hpp>
 
 #include "uhas/base/errors.hpp"
 

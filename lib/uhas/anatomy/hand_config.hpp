@@ -15,8 +15,8 @@ struct HandConfig {
   std::optional<std::string> palm_link;
   std::optional<Vector3d> palm_normal_in_root;  ///< outward, any length; root link frame, non-finger joints at zero
   std::optional<Handedness> handedness;
-  std::map<std::string, double> q_open;         ///< joint name -> rad or m
-  std::map<std::string, double> q_closed;       ///< joint name -> rad or m
+  std::map<std::string, double> q_open;    ///< joint name -> rad or m
+  std::map<std::string, double> q_closed;  ///< joint name -> rad or m
 };
 
 /// Reads a hand config from a JSON file; "" and absent keys mean "infer".

@@ -120,7 +120,7 @@ class GeometryLoader {
   const TriangleMesh& mesh_file(const UrdfShape& shape) {
     const fs::path path =
         detail::find_mesh(shape.mesh_reference, fs::path(urdf_file_).parent_path(), options_.packages, urdf_file_);
-    const auto [entry, is_new] = meshes_.try_emplace(path);
+    const auto [entry, is_new] = meshes_.try_emplace(path.lexically_normal());
     if (is_new) {
       entry->second = detail::read_mesh(path, shape.mesh_reference, options_, sources_);
       warn_about_units(shape, extent(entry->second, shape.mesh_scale));

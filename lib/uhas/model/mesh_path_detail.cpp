@@ -26,7 +26,7 @@ std::vector<fs::path> package_candidates(const std::string& name, const fs::path
     for (std::string folder; std::getline(folders, folder, ':');)
       if (!folder.empty()) add_folder_and_content(folder);
   }
-  for (fs::path folder = fs::absolute(urdf_folder).lexically_normal(); folder != folder.root_path();
+  for (fs::path folder = (fs::current_path() / urdf_folder).lexically_normal(); folder != folder.root_path();
        folder = folder.parent_path())
     add_folder_and_content(folder);
   return candidates;

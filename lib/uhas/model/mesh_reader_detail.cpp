@@ -18,6 +18,9 @@
 #include <string_view>
 
 #include "uhas/base/errors.hpp"
+#include "uhas/model/gltf_bounds_detail.hpp"
+#include "uhas/model/ply_reader_detail.hpp"
+#include "uhas/model/xml_bounds_detail.hpp"
 
 namespace uhas::detail {
 namespace {
@@ -39,9 +42,9 @@ std::string lower_case_extension(const fs::path& path) {
 class MeshFiles : public Assimp::IOSystem {
  public:
   MeshFiles(fs::path mesh, std::string reference, const LoadOptions& options, SourceLog& sources)
-      : mesh_(std::move(mesh)), reference_(std::move(reference)), options_(options), sources_(sources) {
-    content(mesh_);
-  }
+      : mesh_(std::move(mesh)), reference_(std::move(reference)), options_(options), sources_(sources) {}
+
+  const FileBytes& mesh_bytes() { return content(mesh_); }
 
   bool Exists(const char* file) const override {
     std::error_code ignored;
@@ -118,7 +121,6 @@ class SceneFlattener {
 
   TriangleMesh flatten() {
     append(*scene_.mRootNode, Affine{}, 0);
-    if (mesh_.triangles.empty()) fail("the mesh has no triangle");
     return std::move(mesh_);
   }
 
@@ -171,6 +173,20 @@ class SceneFlattener {
   TriangleMesh mesh_;
 };
 
+TriangleMesh read_with_assimp(const fs::path& path, const std::string& extension, std::unique_ptr<MeshFiles> files,
+                              std::uint64_t max_triangles) {
+  Assimp::Importer importer;
+  restrict_to(extension, importer);
+  importer.SetIOHandler(files.release());  // the importer owns it
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
+  const aiScene* scene = importer.ReadFile(path.string(), aiProcess_Triangulate);
+  if (scene == nullptr || scene->mRootNode == nullptr)
+    throw Error(ErrorCode::invalid_mesh, path,
+                std::string("the mesh cannot be read (") + importer.GetErrorString() + ")", "export the mesh again");
+  return SceneFlattener(*scene, path, max_triangles).flatten();
+}
+
 }  // namespace
 
 TriangleMesh read_mesh(const fs::path& path, const std::string& reference, const LoadOptions& options,
@@ -180,16 +196,16 @@ TriangleMesh read_mesh(const fs::path& path, const std::string& reference, const
     throw Error(ErrorCode::invalid_mesh, path, "meshes of the type '." + extension + "' cannot be read",
                 "convert it to STL, OBJ, DAE, PLY, GLB or glTF");
 
-  Assimp::Importer importer;
-  restrict_to(extension, importer);
-  importer.SetIOHandler(new MeshFiles(path, reference, options, sources));  // the importer owns it
-  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
-  importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
-  const aiScene* scene = importer.ReadFile(path.string(), aiProcess_Triangulate);
-  if (scene == nullptr || scene->mRootNode == nullptr)
-    throw Error(ErrorCode::invalid_mesh, path,
-                std::string("the mesh cannot be read (") + importer.GetErrorString() + ")", "export the mesh again");
-  return SceneFlattener(*scene, path, options.max_triangles).flatten();
+  auto files = std::make_unique<MeshFiles>(path, reference, options, sources);
+  const FileBytes& bytes = files->mesh_bytes();
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  if (extension == "dae") check_xml_bounds(text, path);
+  if (extension == "glb" || extension == "gltf") check_gltf_bounds(text, path);
+  TriangleMesh mesh = extension == "ply" ? read_ply(bytes, path, options.max_triangles)
+                                         : read_with_assimp(path, extension, std::move(files), options.max_triangles);
+  if (mesh.triangles.empty())
+    throw Error(ErrorCode::invalid_mesh, path, "the mesh has no triangle", "export the mesh again");
+  return mesh;
 }
 
 }  // namespace uhas::detail

@@ -34,11 +34,10 @@ FileBytes read_file(const std::filesystem::path& path, std::uint64_t max_bytes) 
 }
 
 void SourceLog::add(const std::filesystem::path& path, const std::string& reference, std::span<const std::byte> bytes) {
-  const bool keep = reference.starts_with("package://");
-  const std::string name = keep ? reference
-                                : std::filesystem::absolute(path)
-                                      .lexically_proximate(std::filesystem::absolute(urdf_folder_))
-                                      .generic_string();
+  namespace fs = std::filesystem;
+  const auto full = [](const fs::path& any) { return (fs::current_path() / any).lexically_normal(); };
+  const bool is_package = reference.starts_with("package://");
+  const std::string name = is_package ? reference : full(path).lexically_relative(full(urdf_folder_)).generic_string();
   if (std::ranges::find(files_, name, &SourceFile::name) == files_.end()) files_.push_back({name, sha256_hex(bytes)});
 }
 

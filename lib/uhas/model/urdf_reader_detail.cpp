@@ -23,14 +23,15 @@ constexpr double max_factor = 1e6;        // mesh scales, mimic multipliers
 class ComplaintRecorder : public console_bridge::OutputHandler {
  public:
   void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
-    if (level < console_bridge::CONSOLE_BRIDGE_LOG_ERROR) return;
-    if (!complaints_.empty()) complaints_ += ": ";
-    complaints_ += text;
+    if (level < console_bridge::CONSOLE_BRIDGE_LOG_ERROR || ++count_ > 2) return;  // the second names the place
+    if (!complaints_.empty()) complaints_ += ", ";
+    complaints_ += text.substr(0, text.find_last_not_of(". ") + 1);
   }
   const std::string& complaints() const { return complaints_; }
 
  private:
   std::string complaints_;
+  int count_ = 0;
 };
 
 urdf::ModelInterfaceSharedPtr parse_silently(const std::string& text, const std::string& file) {

@@ -1,0 +1,263 @@
+#include "uhas/anatomy/finger_motion_detail.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "uhas/runtime/forward_kinematics.hpp"
+
+namespace uhas {
+namespace {
+
+/// A joint turns the tip when the tip is this part of the finger's length off its axis.
+constexpr double kShortestArm = 0.1;
+/// Flexion axes are parallel within 30 degrees: side joints between them stand at mid range, which need not be neutral.
+constexpr double kParallel = 0.866;
+/// A straight phalanx at zero may be this part shorter than the longest reach: fingertips are offset from the joint's
+/// line.
+constexpr double kStraightTolerance = 0.015;
+/// Fingers bend back at most this far (rad); a zero so near to the open end is where the designer put "straight".
+constexpr double kHyperextension = 0.4;
+/// Where "straight" lies from the open end on when zero does not tell (rad).
+constexpr double kTypicalHyperextension = 0.15;
+
+/// From this part of the finger's length on, what lies between its root and its first flexion joint is a phalanx too,
+/// and the finger is straight when it continues that.
+constexpr double kShortestMetacarpal = 0.15;
+
+/// Signed rate of flexion joint `position` per unit of its variable, seen along the last flexion axis.
+double flexion_rate(const Anatomy& anatomy, const FingerAnatomy& finger, const FingerPose& pose, int position,
+                    int last) {
+  const Joint& joint = anatomy.tree.joints[finger.joints[position]];
+  const double sense = dot(pose.axis[position], pose.axis[last]) < 0 ? -1.0 : 1.0;
+  return sense * (joint.mimic_master >= 0 ? joint.mimic_multiplier : 1.0);
+}
+
+std::vector<double> mid_pose(const KinematicTree& tree) {
+  std::vector<double> q;
+  for (const Joint& joint : tree.joints) q.push_back(mid_range(joint));
+  apply_mimics(tree, q);
+  return q;
+}
+
+/// Straightens the flexion joints beyond the first: from the last inward, each variable puts the tip farthest from the
+/// joint before those that it drives. Returns the variables that were set.
+std::vector<int> straighten(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion,
+                            std::span<double> q) {
+  const auto variable_at = [&](std::size_t i) {
+    return variable_of(anatomy.tree, finger.joints[flexion.positions[i]]);
+  };
+  const double tolerance = kStraightTolerance * finger_length(anatomy, finger);
+  std::vector<int> set;
+  FingerPose pose;
+  for (std::size_t i = flexion.positions.size(); i-- > 1;) {
+    const int variable = variable_at(i);
+    if (std::find(set.begin(), set.end(), variable) != set.end()) continue;
+    std::size_t first_driven = 0;
+    while (variable_at(first_driven) != variable) ++first_driven;
+    const int base = flexion.positions[first_driven == 0 ? 0 : first_driven - 1];
+    const auto reach = [&](double value) {
+      set_joint(anatomy.tree, variable, value, q);
+      pose_finger(anatomy, finger, q, pose);
+      return norm(pose.tip - pose.origin[base]);
+    };
+    set_joint(anatomy.tree, variable, preferred_value(anatomy.tree.joints[variable], tolerance, reach), q);
+    set.push_back(variable);
+  }
+  return set;
+}
+
+/// A jaw closes toward the middle of the hand.
+void find_jaw_closing_side(const FingerPose& pose, Vector3d hand_center, Flexion& flexion) {
+  const Vector3d inward = hand_center - pose.tip;
+  const double toward = dot(inward, pose.axis[flexion.positions.back()]);
+  flexion.closing_sign = toward < 0 ? -1 : 1;
+  flexion.evidence = norm(inward) > 0 ? std::min(1.0, 2 * std::abs(toward) / norm(inward)) : 0;
+}
+
+}  // namespace
+
+int variable_of(const KinematicTree& tree, int joint) {
+  const int master = tree.joints[joint].mimic_master;
+  return master < 0 ? joint : master;
+}
+
+void set_joint(const KinematicTree& tree, int variable, double value, std::span<double> q) {
+  q[variable] = value;
+  apply_mimics(tree, q);
+}
+
+double mid_range(const Joint& joint) { return (joint.lower + joint.upper) / 2; }
+
+double preferred_value(const Joint& joint, double tolerance, const std::function<double(double)>& objective) {
+  constexpr int samples = 24;
+  constexpr double near_middle = 0.3;  // of half the range
+  const double step = (joint.upper - joint.lower) / samples;
+  int best = 0;
+  std::array<double, samples + 1> value;
+  for (int i = 0; i <= samples; ++i) {
+    value[i] = objective(joint.lower + i * step);
+    if (value[i] > value[best]) best = i;
+  }
+  // Golden-section search between the neighbours of the best sample.
+  double a = joint.lower + std::max(best - 1, 0) * step, b = joint.lower + std::min(best + 1, samples) * step;
+  constexpr double ratio = 0.6180339887498949;
+  double x1 = b - ratio * (b - a), x2 = a + ratio * (b - a), f1 = objective(x1), f2 = objective(x2);
+  for (int i = 0; i < 25; ++i) {
+    if (f1 > f2) {
+      b = x2, x2 = x1, f2 = f1;
+      x1 = b - ratio * (b - a), f1 = objective(x1);
+    } else {
+      a = x1, x1 = x2, f1 = f2;
+      x2 = a + ratio * (b - a), f2 = objective(x2);
+    }
+  }
+  double optimum = f1 > f2 ? x1 : x2, maximum = std::max(f1, f2);
+  if (value[best] >= maximum) optimum = joint.lower + best * step, maximum = value[best];
+
+  const double zero = clamp_to_limits(joint, 0.0), middle = mid_range(joint);
+  const bool flat = maximum - *std::min_element(value.begin(), value.end()) <= tolerance;
+  const bool zero_in_middle = std::abs(zero - middle) <= near_middle * (joint.upper - joint.lower) / 2;
+  if (flat) return zero_in_middle ? zero : middle;
+  return objective(zero) >= maximum - tolerance ? zero : optimum;
+}
+
+void pose_finger(const Anatomy& anatomy, const FingerAnatomy& finger, std::span<const double> q, FingerPose& pose) {
+  pose.origin.clear();
+  pose.axis.clear();
+  RigidTransformd T_palm_joint;
+  for (int index : finger.joints) {
+    const Joint& joint = anatomy.tree.joints[index];
+    const RigidTransformd T_palm_fixed = T_palm_joint * joint.T_parent_joint;
+    pose.origin.push_back(T_palm_fixed.translation);
+    pose.axis.push_back(T_palm_fixed.rotation * joint.axis);
+    T_palm_joint = T_palm_fixed * joint_motion(joint, q[index]);
+  }
+  pose.tip = T_palm_joint * (anatomy.links[finger.tip_link].T_joint_link * finger.p_tip_link);
+}
+
+double finger_length(const Anatomy& anatomy, const FingerAnatomy& finger) {
+  double length = norm(anatomy.links[finger.tip_link].T_joint_link * finger.p_tip_link);
+  for (std::size_t i = 1; i < finger.joints.size(); ++i)
+    length += norm(anatomy.tree.joints[finger.joints[i]].T_parent_joint.translation);
+  return length;
+}
+
+Flexion find_flexion(const Anatomy& anatomy, const FingerAnatomy& finger) {
+  const auto is_prismatic = [&](int position) {
+    return anatomy.tree.joints[finger.joints[position]].kind == JointKind::prismatic;
+  };
+  FingerPose pose;
+  pose_finger(anatomy, finger, mid_pose(anatomy.tree), pose);
+  const double length = finger_length(anatomy, finger);
+  const auto moves_tip = [&](int position) {
+    const Vector3d arm = cross(pose.axis[position], pose.tip - pose.origin[position]);
+    return is_prismatic(position) || norm(arm) >= kShortestArm * length;
+  };
+
+  Flexion flexion;
+  int last = static_cast<int>(finger.joints.size()) - 1;
+  while (last > 0 && !moves_tip(last)) --last;
+  if (is_prismatic(last)) {
+    flexion.sliding = true;
+    flexion.positions = {last};
+    return flexion;
+  }
+  for (int i = 0; i <= last; ++i)
+    if (!is_prismatic(i) && std::abs(dot(pose.axis[i], pose.axis[last])) > kParallel) flexion.positions.push_back(i);
+  return flexion;
+}
+
+Vector3d flexion_origin(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion) {
+  FingerPose pose;
+  pose_finger(anatomy, finger, mid_pose(anatomy.tree), pose);
+  return pose.origin[flexion.positions.front()];
+}
+
+void find_closing_side(const Anatomy& anatomy, const FingerAnatomy& finger, Vector3d hand_center, Flexion& flexion) {
+  const std::vector<Joint>& joints = anatomy.tree.joints;
+  std::vector<double> q = mid_pose(anatomy.tree);
+  FingerPose pose;
+  pose_finger(anatomy, finger, q, pose);
+  if (flexion.sliding) return find_jaw_closing_side(pose, hand_center, flexion);
+
+  const int first = flexion.positions.front(), last = flexion.positions.back();
+  std::vector<int> extended = straighten(anatomy, finger, flexion, q);
+  pose_finger(anatomy, finger, q, pose);
+  const Vector3d outward = orthogonal_part(pose.origin[first] - hand_center, pose.axis[last]);
+  const int variable = variable_of(anatomy.tree, finger.joints[first]);
+  const bool is_free = std::find(extended.begin(), extended.end(), variable) == extended.end();
+  if (is_free && norm(outward) > kShortestArm * finger_length(anatomy, finger)) {
+    const double outermost = preferred_value(joints[variable], 0, [&](double value) {
+      set_joint(anatomy.tree, variable, value, q);
+      pose_finger(anatomy, finger, q, pose);
+      return dot(pose.tip - pose.origin[first], outward);
+    });
+    set_joint(anatomy.tree, variable, outermost, q);
+    extended.push_back(variable);
+  }
+
+  double positive = 0, negative = 0;
+  for (int position : flexion.positions) {
+    const int driver = variable_of(anatomy.tree, finger.joints[position]);
+    if (std::find(extended.begin(), extended.end(), driver) == extended.end()) continue;
+    const double rate = flexion_rate(anatomy, finger, pose, position, last);
+    const double up = joints[driver].upper - q[driver], down = q[driver] - joints[driver].lower;
+    positive += std::abs(rate) * (rate > 0 ? up : down);
+    negative += std::abs(rate) * (rate > 0 ? down : up);
+  }
+  flexion.closing_sign = positive < negative ? -1 : 1;
+  if (positive + negative > 0) flexion.evidence = std::abs(positive - negative) / (positive + negative);
+}
+
+void extend_finger(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion, std::span<double> q) {
+  const std::vector<int> straight = straighten(anatomy, finger, flexion, q);
+  const int first = flexion.positions.front();
+  const int variable = variable_of(anatomy.tree, finger.joints[first]);
+  if (std::find(straight.begin(), straight.end(), variable) != straight.end()) return;
+
+  FingerPose pose;
+  pose_finger(anatomy, finger, q, pose);
+  const Joint& joint = anatomy.tree.joints[variable];
+  const double sense = flexion.closing_sign * flexion_rate(anatomy, finger, pose, first, flexion.positions.back());
+  const double open_end = sense > 0 ? joint.lower : joint.upper;
+  const double zero = clamp_to_limits(joint, 0.0);
+  const double length = finger_length(anatomy, finger);
+  double value = open_end;
+  if (flexion.sliding) {
+    // a jaw is open at the end of its range
+  } else if (std::abs(zero - open_end) <= kHyperextension) {
+    value = zero;
+  } else if (norm(pose.origin[first] - pose.origin.front()) > kShortestMetacarpal * length) {
+    value = preferred_value(joint, kStraightTolerance * length, [&](double candidate) {
+      set_joint(anatomy.tree, variable, candidate, q);
+      pose_finger(anatomy, finger, q, pose);
+      return norm(pose.tip - pose.origin.front());
+    });
+  } else {
+    const double bent_back = std::min(kTypicalHyperextension, (joint.upper - joint.lower) / 4);
+    value = open_end + (sense > 0 ? bent_back : -bent_back);
+  }
+  set_joint(anatomy.tree, variable, value, q);
+}
+
+FingerPosture measure_posture(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion,
+                              std::span<const double> q, FingerPose& scratch) {
+  pose_finger(anatomy, finger, q, scratch);
+  FingerPosture posture;
+  posture.root = scratch.origin.front();
+  posture.tip = scratch.tip;
+  const Vector3d along = scratch.tip - scratch.origin[flexion.positions.front()];
+  const Vector3d axis = flexion.closing_sign * scratch.axis[flexion.positions.back()];
+  posture.direction = normalized(orthogonal_part(along, axis));
+  if (flexion.sliding) {
+    posture.closing = axis;
+    posture.axis = cross(posture.direction, posture.closing);
+  } else {
+    posture.axis = axis;
+    posture.closing = cross(posture.axis, posture.direction);
+  }
+  return posture;
+}
+
+}  // namespace uhas

@@ -1,0 +1,69 @@
+// How a finger bends: which of its joints flex it, to which side it closes, and how it stands at given joint values.
+// All vectors are in P.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "uhas/anatomy/anatomy.hpp"
+
+namespace uhas {
+
+/// Independent joint that decides the value of `joint`: its mimic master, or itself.
+int variable_of(const KinematicTree& tree, int joint);
+
+/// Sets an independent joint and lets its followers follow.
+void set_joint(const KinematicTree& tree, int variable, double value, std::span<double> q);
+
+/// The middle of a joint's range.
+double mid_range(const Joint& joint);
+
+/// The value of `joint` that a designer would call neutral among those that do well: the clipped zero when its
+/// `objective` is within `tolerance` of the best of the range; on a flat objective the middle of the range, unless zero
+/// lies near it; else the best value.
+double preferred_value(const Joint& joint, double tolerance, const std::function<double(double)>& objective);
+
+/// Joints of one finger in a pose.
+struct FingerPose {
+  std::vector<Vector3d> origin, axis;  ///< one a joint, root to tip
+  Vector3d tip;
+};
+void pose_finger(const Anatomy& anatomy, const FingerAnatomy& finger, std::span<const double> q, FingerPose& pose);
+
+/// Sum of the distances between the joints and to the tip: the finger's length when straight (m).
+double finger_length(const Anatomy& anatomy, const FingerAnatomy& finger);
+
+/// The joints that bend a finger.
+struct Flexion {
+  std::vector<int> positions;  ///< into `FingerAnatomy::joints`, root to tip; their axes are parallel
+  bool sliding = false;        ///< a prismatic jaw: the one flexion joint shifts
+  double closing_sign = 1;     ///< sign of the last one's motion that closes the finger
+  double evidence = 0;         ///< 0..1: asymmetry of the range about the extended pose
+};
+
+/// Finds the flexion joints: those parallel to the last joint that moves the tip, with everything at mid range.
+Flexion find_flexion(const Anatomy& anatomy, const FingerAnatomy& finger);
+
+/// The first flexion joint's origin, everything at mid range.
+Vector3d flexion_origin(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion);
+
+/// Sets `closing_sign` and `evidence`: fingers close to the side with the larger range from the extended pose.
+/// @param hand_center  mean of the fingers' flexion origins: an extended finger points away from it
+void find_closing_side(const Anatomy& anatomy, const FingerAnatomy& finger, Vector3d hand_center, Flexion& flexion);
+
+/// Extends the finger in `q`: distal flexion joints straight, the first one at the open end of its range or at a zero
+/// near it; other joints keep their values.
+void extend_finger(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion, std::span<double> q);
+
+/// A finger as the rest of the hand sees it; unit vectors, orthogonal to each other.
+struct FingerPosture {
+  Vector3d root, tip;
+  Vector3d direction;  ///< first flexion joint to tip, in the plane of flexion
+  Vector3d axis;       ///< flexion axis, turned such that a positive turn closes
+  Vector3d closing;    ///< where the tip moves when the finger closes: axis x direction
+};
+FingerPosture measure_posture(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion,
+                              std::span<const double> q, FingerPose& scratch);
+
+}  // namespace uhas

@@ -1,0 +1,17 @@
+// Bounds on what a glTF file claims, checked before assimp believes it.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace uhas::detail {
+
+/// A few kilobytes of glTF can claim gigabytes: accessors need no bytes behind them, and primitives may share one. This
+/// refuses a file whose primitives use many more elements than it has bytes, or whose JSON is nested beyond any real
+/// one.
+/// @param bytes  the content of the .glb or .gltf file
+/// @param path   names the file in errors, and the folder of its buffers
+/// Throws Error: invalid_mesh (no glTF), limit_exceeded.
+void check_gltf_bounds(std::string_view bytes, const std::filesystem::path& path);
+
+}  // namespace uhas::detail

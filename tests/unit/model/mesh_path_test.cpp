@@ -1,0 +1,89 @@
+// How mesh references find their files, and what the sources are called.
+#include <cstdlib>
+
+#include "mesh_files.hpp"
+#include "model_fixture.hpp"
+
+using namespace uhas;
+using namespace uhas::test;
+
+namespace {
+
+HandModel load_with_mesh(const TemporaryFolder& folder, const std::string& reference, const LoadOptions& options = {},
+                         const std::string& urdf = "hand.urdf") {
+  return load_hand_model(folder.write(urdf, one_finger(visual(mesh(reference)))), options);
+}
+
+}  // namespace
+
+TEST_CASE("relative paths, absolute paths and file:// URIs are named relative to the URDF") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("meshes/a b/\xC3\xA4.stl", ascii_stl());
+  for (const std::string& reference :
+       {std::string("meshes/a b/\xC3\xA4.stl"), std::string("./meshes/a b/\xC3\xA4.stl"), file, "file://" + file}) {
+    const HandModel model = load_with_mesh(folder, reference);
+    REQUIRE(model.sources.size() == 2);
+    CHECK(model.sources[0].name == "hand.urdf");
+    CHECK(model.sources[0].sha256.size() == 64);
+    CHECK(model.sources[1].name == "meshes/a b/\xC3\xA4.stl");
+  }
+}
+
+TEST_CASE("a URDF in the current folder") {
+  const TemporaryFolder folder;
+  folder.write("a.stl", ascii_stl());
+  folder.write("hand.urdf", one_finger(visual(mesh("a.stl")) +
+                                       visual(mesh("package://" + folder.path().filename().string() + "/a.stl"))));
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder.path());
+  const HandModel model = load_hand_model("hand.urdf");
+  std::filesystem::current_path(before);
+  CHECK(model.sources[0].name == "hand.urdf");
+  CHECK(model.sources[1].name == "a.stl");
+  CHECK(model.links[0].mesh.triangles.size() == 8);
+}
+
+TEST_CASE("a mesh used twice is one source") {
+  const TemporaryFolder folder;
+  folder.write("a.stl", ascii_stl());
+  const std::string both = visual(mesh("a.stl")) + visual(mesh("./a.stl"));
+  CHECK(load_hand_model(folder.write("hand.urdf", one_finger(both))).sources.size() == 2);
+}
+
+TEST_CASE("a package is found by the option, by ROS_PACKAGE_PATH and above the URDF, in that order") {
+  const TemporaryFolder folder, elsewhere;
+  const std::string reference = "package://my_hand/meshes/a.stl";
+  unsetenv("ROS_PACKAGE_PATH");
+  check_error([&] { load_with_mesh(folder, reference); }, ErrorCode::file_unreadable,
+              {"hand.urdf", "package://my_hand/meshes/a.stl", "--package my_hand=DIR"});
+
+  // beside the URDF's folder, then around it
+  folder.write("my_hand/meshes/a.stl", ascii_stl());
+  CHECK(load_with_mesh(folder, reference, {}, "robots/hand.urdf").sources[1].name == reference);
+  CHECK(load_with_mesh(folder, reference, {}, "my_hand/urdf/hand.urdf").links[0].mesh.triangles.size() == 4);
+
+  // a folder of ROS_PACKAGE_PATH holds packages or is one
+  elsewhere.write("my_hand/meshes/a.stl", obj());  // not an STL: an error shows that this one was taken
+  const std::string holds = elsewhere.path().string();
+  for (const std::string& path : {"/nowhere:" + holds, holds + "/my_hand"}) {
+    setenv("ROS_PACKAGE_PATH", path.c_str(), 1);
+    check_error([&] { load_with_mesh(folder, reference); }, ErrorCode::invalid_mesh, {holds});
+  }
+
+  LoadOptions options;
+  options.packages = {{"other", holds}, {"my_hand", (folder.path() / "my_hand").string()}};
+  CHECK(load_with_mesh(folder, reference, options).links[0].mesh.triangles.size() == 4);
+  unsetenv("ROS_PACKAGE_PATH");
+}
+
+TEST_CASE("a reference that would need a network is refused") {
+  for (const char* reference : {"http://example.org/a.stl", "https://example.org/a.stl"})
+    check_load_error(one_finger(visual(mesh(reference))), ErrorCode::file_unreadable,
+                     {reference, "not on this machine", "download"});
+}
+
+TEST_CASE("a symbolic link that leads to itself") {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink(folder.path() / "a.stl", folder.path() / "a.stl");
+  check_error([&] { load_with_mesh(folder, "a.stl"); }, ErrorCode::file_unreadable, {"a.stl"});
+}

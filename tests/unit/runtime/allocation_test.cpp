@@ -1,0 +1,67 @@
+// The solve path allocates nothing, failures included: malloc, which operator new calls, is counted over 10,000 solves.
+#include <doctest/doctest.h>
+
+#include <dlfcn.h>
+
+#include <cstddef>
+#include <cstdlib>
+#include <limits>
+
+#include "support/random_action.hpp"
+#include "support/small_profile.hpp"
+#include "uhas/runtime/cascade_solver.hpp"
+
+// the sanitizers bring a malloc of their own
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+
+namespace {
+
+thread_local bool counting = false;
+thread_local long allocations = 0;
+
+}  // namespace
+
+extern "C" void* malloc(std::size_t size) {
+  static void* (*const next)(std::size_t) = reinterpret_cast<void* (*)(std::size_t)>(dlsym(RTLD_NEXT, "malloc"));
+  if (counting) ++allocations;
+  return next(size);
+}
+
+using namespace uhas;
+
+TEST_CASE("counting sees operator new and malloc") {
+  allocations = 0;
+  counting = true;
+  auto* volatile a = new int(1);
+  void* volatile b = std::malloc(1);
+  counting = false;
+  delete a;
+  std::free(b);
+  CHECK(allocations == 2);
+}
+
+TEST_CASE("10,000 solves allocate nothing") {
+  for (Rule rule : {Rule::correspondence, Rule::contact}) {
+    for (FieldReading field : {FieldReading::finger, FieldReading::field}) {
+      CascadeSolver<double> solver(test::small_profile(), {.rule = rule, .closing = Closing::fade, .field = field, .passes = 3});
+      std::vector<double> q(solver.joint_count());
+      std::vector<std::uint8_t> at_limit(q.size()), closed(q.size());
+      SolveReport report{.residual_rms = 0, .at_limit = at_limit, .closed = closed};
+      std::mt19937_64 random(5);
+      std::vector<std::vector<double>> actions;
+      for (int n = 0; n < 100; ++n) actions.push_back(test::random_action(random, 1, 3));
+      actions[3][2] = std::numeric_limits<double>::quiet_NaN();
+      actions[4].pop_back();
+      int refused = 0;
+      allocations = 0;
+      counting = true;
+      for (int n = 0; n < 2500; ++n)
+        refused += solver.solve({.values = actions[n % 100], .driving_vectors_phi = {}}, q, report) != Status::ok;
+      counting = false;
+      CHECK(allocations == 0);
+      CHECK(refused == 50);
+    }
+  }
+}
+
+#endif

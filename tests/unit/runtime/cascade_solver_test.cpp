@@ -1,0 +1,151 @@
+// The solver on the small profile: coupled joints, a sliding joint, a left hand, shared slots.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "support/random_action.hpp"
+#include "support/small_profile.hpp"
+#include "uhas/runtime/cascade_solver.hpp"
+#include "uhas/runtime/forward_kinematics.hpp"
+#include "uhas/runtime/lateral_lookup.hpp"
+
+using namespace uhas;
+
+namespace {
+
+std::vector<double> solve(const HandProfile& profile, const std::vector<double>& action, SolveOptions options = {}) {
+  CascadeSolver<double> solver(profile, options);
+  std::vector<double> q(solver.joint_count());
+  REQUIRE(solver.solve({.values = action, .driving_vectors_phi = {}}, q) == Status::ok);
+  return q;
+}
+
+/// Weighted squared distance of the points from targets written down from the formula of design 3.7, shares included.
+double cost(const HandProfile& profile, const std::vector<double>& q, double delta_theta, double delta_r) {
+  std::vector<RigidTransformd> T(q.size());
+  forward_kinematics(profile.tree, q, T);
+  double sum = 0;
+  for (const Correspondence& c : profile.correspondences) {
+    const ProfileLink& link = profile.links[c.link];
+    if (c.weight <= 0 || link.joint < 0) continue;
+    const double anchored = std::min(c.phi / (std::numbers::pi / 3), 1.0);
+    const double turn = link.joint <= 2 ? delta_theta : 0;
+    const Vector3d t = from_spherical<double>({-(c.theta + turn), c.phi, c.rho + anchored * delta_r});
+    const Vector3d p = profile.T_palm_sphere.inverse() * (T[link.joint] * (link.T_joint_link * c.p_link)) / profile.radius;
+    sum += c.weight * dot(p - t, p - t);
+  }
+  return sum;
+}
+
+std::vector<double> uniform_action(double delta_r) {
+  std::vector<double> action(15, delta_r);
+  std::fill_n(action.begin(), 5, 0.0);
+  return action;
+}
+
+}  // namespace
+
+TEST_CASE("the zero action is a fixed point of the correspondence rule") {
+  const HandProfile profile = test::small_profile();
+  for (int passes : {1, 2, 5}) {
+    const std::vector<double> q = solve(profile, std::vector<double>(15, 0.0), {.rule = Rule::correspondence, .closing = Closing::fade, .field = FieldReading::finger, .passes = passes});
+    for (std::size_t i = 0; i < q.size(); ++i) CHECK(q[i] == doctest::Approx(profile.joint_traits[i].q_sphere).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("mimic followers follow and lateral joints obey the table") {
+  const HandProfile profile = test::small_profile();
+  std::vector<double> action(15, 0.2);
+  std::fill_n(action.begin(), 4, -0.1);
+  const std::vector<double> q = solve(profile, action);
+  CHECK(q[2] == doctest::Approx(0.8 * q[1] + 0.05));
+  CHECK(q[0] == doctest::Approx(look_up_lateral<double>(profile.lateral_tables[0].inverse_q, profile.lateral_tables[0].delta_theta_lower,
+                                                        profile.lateral_tables[0].delta_theta_upper, -0.1)));
+}
+
+TEST_CASE("many passes end in a minimum of the weighted squared distance") {
+  const HandProfile profile = test::small_profile();
+  for (double delta_r : {-0.15, 0.1, 0.2}) {
+    const std::vector<double> q = solve(profile, uniform_action(delta_r), {.rule = Rule::correspondence, .closing = Closing::fade, .field = FieldReading::finger, .passes = 100});
+    const double best = cost(profile, q, 0, delta_r);
+    for (int joint : {1, 3, 4}) {
+      for (double step : {-1e-3, 1e-3}) {
+        std::vector<double> moved = q;
+        moved[joint] += joint == 4 ? 0.08 * step : step;
+        const Joint& j = profile.tree.joints[joint];
+        if (moved[joint] < j.lower || moved[joint] > j.upper) continue;
+        apply_mimics(profile.tree, moved);
+        CAPTURE(joint);
+        CAPTURE(delta_r);
+        CHECK(cost(profile, moved, 0, delta_r) >= best - 1e-12);
+      }
+    }
+  }
+}
+
+TEST_CASE("full contraction closes every encompassing joint and reports it") {
+  const HandProfile profile = test::small_profile();
+  for (Closing closing : {Closing::fade, Closing::hard}) {
+    CascadeSolver<double> solver(profile, {.rule = Rule::correspondence, .closing = closing, .field = FieldReading::finger, .passes = 1});
+    std::vector<double> q(solver.joint_count());
+    std::vector<std::uint8_t> closed(q.size());
+    SolveReport report{.residual_rms = 0, .at_limit = {}, .closed = closed};
+    const std::vector<double> action = uniform_action(-2);
+    REQUIRE(solver.solve({.values = action, .driving_vectors_phi = {}}, q, report) == Status::ok);
+    for (int joint : {1, 3, 4}) {
+      CAPTURE(joint);
+      if (closing == Closing::fade) CHECK(q[joint] == profile.joint_traits[joint].q_closed);
+      if (closing == Closing::fade) CHECK(closed[joint] == 1);
+    }
+    if (closing == Closing::fade) CHECK(std::isnan(report.residual_rms));
+  }
+}
+
+TEST_CASE("the residual of a report is the weighted rms distance") {
+  const HandProfile profile = test::small_profile();
+  CascadeSolver<double> solver(profile);
+  std::vector<double> q(solver.joint_count());
+  SolveReport report;
+  const std::vector<double> action = uniform_action(0.2);
+  REQUIRE(solver.solve({.values = action, .driving_vectors_phi = {}}, q, report) == Status::ok);
+  double weight = 0;
+  for (const Correspondence& c : profile.correspondences) weight += profile.links[c.link].joint >= 0 ? c.weight : 0;
+  CHECK(report.residual_rms == doctest::Approx(std::sqrt(cost(profile, q, 0, 0.2) / weight)));
+}
+
+TEST_CASE("a mirror image of a left hand solves like the right hand") {
+  // the same joint values come out when frames, points and axes are mirrored in the y of S and the hand says so
+  const HandProfile left = test::small_profile();
+  HandProfile right = left;
+  right.mirrored = false;
+  right.handedness = Handedness::right;
+  const auto mirror = [](Vector3d a) { return Vector3d{a.x, -a.y, a.z}; };
+  const auto mirror_transform = [&](RigidTransformd T) {
+    for (int i : {1, 3, 5, 7}) T.rotation.m[i] = -T.rotation.m[i];
+    T.translation = mirror(T.translation);
+    return T;
+  };
+  right.T_palm_sphere = mirror_transform(left.T_palm_sphere);
+  for (Joint& joint : right.tree.joints) {
+    joint.T_parent_joint = mirror_transform(joint.T_parent_joint);
+    joint.axis = joint.kind == JointKind::prismatic ? mirror(joint.axis) : -mirror(joint.axis);
+  }
+  for (ProfileLink& link : right.links) link.T_joint_link = mirror_transform(link.T_joint_link);
+  for (Correspondence& c : right.correspondences) c.p_link = mirror(c.p_link), c.normal_link = mirror(c.normal_link);
+  for (ProfileFinger& finger : right.fingers) finger.p_tip_link = mirror(finger.p_tip_link);
+
+  std::mt19937_64 random(4);
+  for (int n = 0; n < 200; ++n) {
+    const std::vector<double> action = test::random_action(random, 0.5, 1.5);
+    for (FieldReading field : {FieldReading::finger, FieldReading::field}) {
+      const std::vector<double> a = solve(left, action, {.rule = Rule::correspondence, .closing = Closing::fade, .field = field, .passes = 2});
+      const std::vector<double> b = solve(right, action, {.rule = Rule::correspondence, .closing = Closing::fade, .field = field, .passes = 2});
+      for (std::size_t i = 0; i < a.size(); ++i) CHECK(a[i] == doctest::Approx(b[i]).epsilon(1e-9));
+    }
+  }
+}
+
+TEST_CASE("options out of range are refused") {
+  CHECK_THROWS_AS(CascadeSolver<double>(test::small_profile(), {.passes = 0}), Error);
+  CHECK_THROWS_AS(CascadeSolver<double>(test::small_profile(), {.passes = 101}), Error);
+}

@@ -35,7 +35,7 @@ void print(const BuildStages& stages) {
   std::cout << "Angles are in degrees; from and to are relative to the azimuth at neutral.\n";
   for (const int i : fingers_by_slot(stages.sphere_frame))
     if (stages.lateral_tables.table_of_finger[i] < 0)
-      std::cout << stages.sphere_frame.names[i] << " has no lateral joint: it ignores its delta theta.\n";
+      std::cout << stages.sphere_frame.names[i] << " ignores its delta theta: no lateral joint moves its tip.\n";
 }
 
 ExitCode run(Tool& tool) {

@@ -32,7 +32,7 @@ void add_package_option(CLI::App& app, std::vector<PackageFolder>& packages) {
   app.add_option_function<std::vector<std::string>>("--package", assign,
                                                     "Folder that package://NAME/ stands for; repeatable")
       ->allow_extra_args(false)
-      ->type_name("NAME=DIR");
+      ->option_text("NAME=DIR");
 }
 
 void add_lateral_options(CLI::App& app, LateralTableOptions& options) {

@@ -80,7 +80,7 @@ Json parse_json(std::string_view text, const std::string& file) {
   const auto bound_depth = [&](int depth, Json::parse_event_t, Json&) {
     if (depth > kMaxDepth)
       throw Error(ErrorCode::syntax, file, "nested more than " + std::to_string(kMaxDepth) + " levels deep",
-                  "check the file");
+                  "use fewer levels");
     return true;
   };
   try {
@@ -89,9 +89,9 @@ Json parse_json(std::string_view text, const std::string& file) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
     const auto line = 1 + std::count(text.begin(), end, '\n');
     throw Error(ErrorCode::syntax, file.empty() ? "" : file + ":" + std::to_string(line),
-                "not JSON: " + problem_of(error), "correct the file");
+                "not JSON: " + problem_of(error), "correct the syntax");
   } catch (const nlohmann::json::exception& error) {  // a number beyond the range of double
-    throw Error(ErrorCode::syntax, file, "not usable: " + problem_of(error), "correct the file");
+    throw Error(ErrorCode::syntax, file, problem_of(error), "write numbers within the range of double");
   }
 }
 

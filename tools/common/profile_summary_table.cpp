@@ -35,7 +35,7 @@ void print_fingers(std::ostream& out, const HandProfile& profile) {
                {"slots"},
                {"tip link"},
                {"tip phi", Align::right},
-               {"sideways", Align::right},
+               {"sideways range", Align::right},
                {"points", Align::right}});
   for (const ProfileFinger& finger : profile.fingers) {
     std::string range = "-";
@@ -48,7 +48,7 @@ void print_fingers(std::ostream& out, const HandProfile& profile) {
   }
   table.print(out);
   for (const ProfileFinger& finger : profile.fingers)
-    if (finger.lateral_table < 0) out << finger.name << " has no lateral joint: it ignores its delta theta.\n";
+    if (finger.lateral_table < 0) out << finger.name << " ignores its delta theta: no lateral joint moves its tip.\n";
 }
 
 void print_joints(std::ostream& out, const HandProfile& profile, bool with_poses) {

@@ -94,6 +94,7 @@ class ToyModel {
     return joints;
   }
 
+  const HandModel& model() const { return model_; }
   HandModel take() { return std::move(model_); }
 
  private:

@@ -120,7 +120,8 @@ double preferred_value(const Joint& joint, double tolerance, const std::function
   const bool zero_in_middle = std::abs(middle) <= near_middle * (joint.upper - joint.lower) / 2;
   if (flat) return zero_in_middle ? 0 : middle;
   const bool zero_in_range = joint.lower <= 0 && joint.upper >= 0;
-  return zero_in_range && objective(0) >= maximum - tolerance ? 0 : optimum;
+  if (zero_in_range && objective(0) >= maximum - tolerance) return 0;
+  return objective(middle) >= maximum - tolerance ? middle : optimum;
 }
 
 void pose_finger(const Anatomy& anatomy, const FingerAnatomy& finger, std::span<const double> q, FingerPose& pose) {

@@ -19,6 +19,7 @@ void Tool::parse() {
   app_.add_flag("--verbose", verbose_, "Say on stderr what is being done");
   app_.set_version_flag("--version", name_ + " " UHAS_VERSION, "Print the version and exit");
   app_.set_help_flag("-h,--help", "Print this help and exit");
+  app_.footer("Exit codes: 0 done, 1 the input or the run failed, 2 wrong usage.");
   app_.parse(argc_, argv_);
   if (quiet_ && verbose_) throw wrong_usage("--verbose", "excludes --quiet");
 }

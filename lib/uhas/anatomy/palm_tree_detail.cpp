@@ -33,8 +33,8 @@ void narrow_masters(Anatomy& anatomy) {
   for (const Joint& follower : anatomy.tree.joints) {
     if (follower.mimic_master < 0 || follower.mimic_multiplier == 0) continue;
     Joint& master = anatomy.tree.joints[follower.mimic_master];
-    const auto [low, high] = std::minmax((follower.lower - follower.mimic_offset) / follower.mimic_multiplier,
-                                         (follower.upper - follower.mimic_offset) / follower.mimic_multiplier);
+    const auto [low, high] = std::minmax({(follower.lower - follower.mimic_offset) / follower.mimic_multiplier,
+                                          (follower.upper - follower.mimic_offset) / follower.mimic_multiplier});
     if (std::max(master.lower, low) < std::min(master.upper, high)) {
       master.lower = std::max(master.lower, low);
       master.upper = std::min(master.upper, high);

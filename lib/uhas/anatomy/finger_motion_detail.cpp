@@ -115,11 +115,13 @@ double preferred_value(const Joint& joint, double tolerance, const std::function
   double optimum = f1 > f2 ? x1 : x2, maximum = std::max(f1, f2);
   if (value[best] >= maximum) optimum = joint.lower + best * step, maximum = value[best];
 
-  const double zero = clamp_to_limits(joint, 0.0), middle = mid_range(joint);
+  const double middle = mid_range(joint);
   const bool flat = maximum - *std::min_element(value.begin(), value.end()) <= tolerance;
-  const bool zero_in_middle = std::abs(zero - middle) <= near_middle * (joint.upper - joint.lower) / 2;
-  if (flat) return zero_in_middle ? zero : middle;
-  return objective(zero) >= maximum - tolerance ? zero : optimum;
+  const bool zero_in_middle = std::abs(middle) <= near_middle * (joint.upper - joint.lower) / 2;
+  if (flat) return zero_in_middle ? 0 : middle;
+  const bool zero_in_range = joint.lower <= 0 && joint.upper >= 0;
+  if (zero_in_range && objective(0) >= maximum - tolerance) return 0;
+  return objective(middle) >= maximum - tolerance ? middle : optimum;
 }
 
 void pose_finger(const Anatomy& anatomy, const FingerAnatomy& finger, std::span<const double> q, FingerPose& pose) {
@@ -221,13 +223,12 @@ void extend_finger(const Anatomy& anatomy, const FingerAnatomy& finger, const Fl
   const Joint& joint = anatomy.tree.joints[variable];
   const double sense = flexion.closing_sign * flexion_rate(anatomy, finger, pose, first, flexion.positions.back());
   const double open_end = sense > 0 ? joint.lower : joint.upper;
-  const double zero = clamp_to_limits(joint, 0.0);
   const double length = finger_length(anatomy, finger);
   double value = open_end;
   if (flexion.sliding) {
     // a jaw is open at the end of its range
-  } else if (std::abs(zero - open_end) <= kHyperextension) {
-    value = zero;
+  } else if (std::abs(open_end) <= kHyperextension) {
+    value = clamp_to_limits(joint, 0.0);
   } else if (norm(pose.origin[first] - pose.origin.front()) > kShortestMetacarpal * length) {
     value = preferred_value(joint, kStraightTolerance * length, [&](double candidate) {
       set_joint(anatomy.tree, variable, candidate, q);

@@ -19,7 +19,7 @@ void set_joint(const KinematicTree& tree, int variable, double value, std::span<
 /// The middle of a joint's range.
 double mid_range(const Joint& joint);
 
-/// The value of `joint` that a designer would call neutral among those that do well: the clipped zero when its
+/// The value of `joint` that a designer would call neutral among those that do well: zero when its
 /// `objective` is within `tolerance` of the best of the range; on a flat objective the middle of the range, unless zero
 /// lies near it; else the best value.
 double preferred_value(const Joint& joint, double tolerance, const std::function<double(double)>& objective);

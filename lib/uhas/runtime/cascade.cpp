@@ -207,18 +207,25 @@ void Cascade<Real>::mark(const SolverStep& step, std::vector<std::uint8_t>& flag
   for (int i : step.driven) flags[i] = value;
 }
 
-// the angle of least squares in closed form: atan2 of the summed sines and cosines (design 3.8)
+// The angle of least squares in closed form: atan2 of the summed sines and cosines (design 3.8). A share of the points' own
+// weight holds the joint at its present value: where the targets come close to the axis and the sums nearly cancel, the angle
+// would otherwise spin through a half turn (measured on Shadow: 0.6 rad for 0.03 in delta r). At rest it changes nothing, and
+// over several passes it fades, since it pulls to the pass before.
 template <class Real>
 Real Cascade<Real>::fit_single(const SolverModel<Real>& model, int joint) const noexcept {
+  constexpr Real hold = Real(0.25);
   const SolverJoint<Real>& j = model.joints[joint];
   const PointMoments<Real>& moments = carried_[joint];
+  if (!(moments.weight > Real(0))) return q[joint];
   const JointFit<Real> fit = fit_joint(moments, frame_before_motion(model, joint), j.axis);
-  if (j.prismatic) return moments.weight > Real(0) ? fit.shift / moments.weight : q[joint];
+  if (j.prismatic) return fit.shift / moments.weight;
 
-  constexpr Real vanishing = 64 * std::numeric_limits<Real>::epsilon();
-  if (!(std::hypot(fit.sine, fit.cosine) > vanishing * moments.full_weight)) return q[joint];
+  const Vector3<Real> arm = orthogonal_part(moments.p, j.axis);
+  const Real held = hold * dot(arm, arm) / moments.weight;
+  const Real sine = fit.sine + held * std::sin(q[joint]), cosine = fit.cosine + held * std::cos(q[joint]);
+  if (sine == Real(0) && cosine == Real(0)) return q[joint];
   constexpr Real two_pi = 2 * std::numbers::pi_v<Real>;
-  const Real turn = std::atan2(fit.sine, fit.cosine) - j.branch_start;
+  const Real turn = std::atan2(sine, cosine) - j.branch_start;
   return j.branch_start + turn - two_pi * std::floor(turn / two_pi);
 }
 

@@ -1,0 +1,98 @@
+#include <doctest/doctest.h>
+
+#include "support/toy_hand.hpp"
+#include "uhas/anatomy/finger_chains_detail.hpp"
+#include "uhas/base/errors.hpp"
+
+using namespace uhas;
+using namespace uhas::test;
+
+namespace {
+
+const RigidTransformd kHere{};
+
+Joint hinge(Vector3d axis = {0, 1, 0}) {
+  Joint joint;
+  joint.axis = axis;
+  joint.lower = 0;
+  joint.upper = 1;
+  return joint;
+}
+
+/// Names of the links that the joints of each chain move.
+std::vector<std::string> roots_of(const HandModel& model, const FingerChains& found) {
+  std::vector<std::string> names;
+  for (const std::vector<int>& chain : found.chains) names.push_back(model.tree.joints[chain.front()].name);
+  return names;
+}
+
+ToyFinger finger_at(const std::string& name, double y) {
+  ToyFinger finger;
+  finger.name = name;
+  finger.root = {0, y, 0.08};
+  return finger;
+}
+
+}  // namespace
+
+TEST_CASE("the palm is where the chains meet, past the wrist") {
+  const HandModel model = make_toy_hand({.fingers = 3, .wrist = true});
+  const FingerChains found = find_finger_chains(model, std::nullopt);
+  CHECK(model.links[found.palm_link].name == "palm");
+  CHECK(found.palm_group == 0);
+  CHECK(found.chains.size() == 4);
+  CHECK(found.chains[0].size() == 4);
+  CHECK(found.palm_margin == doctest::Approx(1));
+}
+
+TEST_CASE("a short movable leaf is no finger and no phalanx") {
+  ToyModel toy("decoys");
+  const int palm = toy.add_fixed("palm", 0, kHere);
+  toy.add_finger(palm, finger_at("a", 0));
+  toy.add_finger(palm, finger_at("b", 0.03));
+  const int button = toy.add_movable("button", palm, {{}, {0, 0, 0.04}}, hinge());
+  toy.add_box(button, {}, {0.005, 0.005, 0.005});
+  HandModel model = toy.take();
+  CHECK(roots_of(model, find_finger_chains(model, std::nullopt)) ==
+        std::vector<std::string>{"a_side_joint", "b_side_joint"});
+}
+
+TEST_CASE("fingers on one palm-arch joint share it") {
+  ToyModel toy("arch");
+  const int palm = toy.add_fixed("palm", 0, kHere);
+  toy.add_finger(palm, finger_at("a", 0.06));
+  const int arch = toy.add_movable("arch", palm, {{}, {0, 0.01, 0.02}}, hinge({0, 0, 1}));
+  toy.add_finger(arch, finger_at("b", 0.0));
+  toy.add_finger(arch, finger_at("c", -0.03));
+  const HandModel model = toy.take();
+  const FingerChains found = find_finger_chains(model, std::nullopt);
+  CHECK(roots_of(model, found) == std::vector<std::string>{"a_side_joint", "arch_joint", "arch_joint"});
+  CHECK(found.chains[1][1] != found.chains[2][1]);
+}
+
+TEST_CASE("a linkage that only follows is no finger") {
+  ToyModel toy("linkage");
+  const int palm = toy.add_fixed("palm", 0, kHere);
+  for (const double side : {-1.0, 1.0}) {
+    ToyFinger finger = finger_at(side < 0 ? "left" : "right", 0.03 * side);
+    finger.side_range = 0;
+    const std::vector<int> joints = toy.add_finger(palm, finger);
+    Joint follower = hinge();
+    follower.mimic_master = joints.front();
+    const int bar = toy.add_movable(finger.name + "_bar", palm, {{}, {0, 0.02 * side, 0.08}}, follower);
+    toy.add_box(bar, {0, 0, 0.025}, {0.005, 0.005, 0.05});
+  }
+  const HandModel model = toy.take();
+  CHECK(roots_of(model, find_finger_chains(model, std::nullopt)) ==
+        std::vector<std::string>{"left_1_joint", "right_1_joint"});
+}
+
+TEST_CASE("a config may name the palm; one chain is no hand") {
+  const HandModel model = make_toy_hand({.fingers = 3, .wrist = true});
+  CHECK(find_finger_chains(model, "palm").chains.size() == 4);
+  CHECK_THROWS_WITH_AS(find_finger_chains(model, "plam"), doctest::Contains("no link \"plam\""), Error);
+  CHECK_THROWS_WITH_AS(find_finger_chains(model, "index_2"), doctest::Contains("only one finger"), Error);
+
+  ToyModel lonely("lonely");
+  CHECK_THROWS_WITH_AS(find_finger_chains(lonely.take(), std::nullopt), doctest::Contains("no movable joint"), Error);
+}

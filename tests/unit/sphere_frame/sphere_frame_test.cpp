@@ -1,0 +1,76 @@
+#include "uhas/sphere_frame/sphere_frame.hpp"
+
+#include <doctest/doctest.h>
+
+#include <numbers>
+
+#include "support/model_transforms.hpp"
+#include "support/toy_hand.hpp"
+#include "uhas/base/errors.hpp"
+
+using namespace uhas;
+using namespace uhas::test;
+
+namespace {
+
+int finger_named(const SphereFrame& frame, const std::string& name) {
+  for (std::size_t i = 0; i < frame.names.size(); ++i)
+    if (frame.names[i] == name) return static_cast<int>(i);
+  return -1;
+}
+
+}  // namespace
+
+TEST_CASE("centre, radius and axes of a hand known by construction") {
+  const Anatomy anatomy = infer_anatomy(make_toy_hand());
+  const SphereFrame frame = compute_sphere_frame(anatomy);
+  // roots: four at z = 0.085, y = 0.022 .. -0.044, and the thumb's at (0, 0.03, 0.02)
+  const Vector3d center{0, (0.022 - 0.022 - 0.044 + 0.03) / 5, (4 * 0.085 + 0.02) / 5};
+  CHECK(norm(frame.palm_center_palm - center) < 1e-12);
+  const double l = (norm(Vector3d{0, 0.022, 0.185} - center) + norm(Vector3d{0, 0, 0.185} - center) +
+                    norm(Vector3d{0, -0.022, 0.185} - center) + norm(Vector3d{0, -0.044, 0.185} - center) +
+                    norm(Vector3d{0, 0.13, 0.02} - center)) /
+                   5;
+  CHECK(frame.mean_tip_distance == doctest::Approx(l).epsilon(1e-6));
+  CHECK(frame.radius == doctest::Approx(2 * l / std::numbers::pi).epsilon(1e-6));
+  CHECK(norm(frame.T_palm_sphere.rotation.column(0) - Vector3d{0, 0, 1}) < 1e-3);
+  CHECK(norm(frame.T_palm_sphere.rotation.column(1) - Vector3d{0, -1, 0}) < 1e-3);
+  CHECK(norm(frame.T_palm_sphere.rotation.column(2) - Vector3d{1, 0, 0}) < 1e-3);
+  CHECK(norm(frame.T_palm_sphere.translation - (center + frame.radius * frame.T_palm_sphere.rotation.column(2))) <
+        1e-12);
+  CHECK(frame.palm_plane_rms < 1e-4);
+  CHECK(!frame.mirrored);
+  CHECK(frame.open_azimuth[finger_named(frame, "thumb")] < 0);
+  CHECK(frame.open_azimuth[finger_named(frame, "pinky")] > 0);
+}
+
+TEST_CASE("the radius scale scales the sphere, not the tips") {
+  const Anatomy anatomy = infer_anatomy(make_toy_hand());
+  const SphereFrame one = compute_sphere_frame(anatomy), half = compute_sphere_frame(anatomy, {.radius_scale = 0.5});
+  CHECK(half.radius == doctest::Approx(one.radius / 2));
+  CHECK(half.mean_tip_distance == one.mean_tip_distance);
+}
+
+TEST_CASE("a left hand has the canonical azimuths of its right twin") {
+  const HandModel model = make_toy_hand();
+  const SphereFrame right = compute_sphere_frame(infer_anatomy(model));
+  const SphereFrame left = compute_sphere_frame(infer_anatomy(mirrored(model)));
+  CHECK(left.mirrored);
+  CHECK(left.slots == right.slots);
+  for (std::size_t i = 0; i < right.open_azimuth.size(); ++i)
+    CHECK(left.open_azimuth[i] == doctest::Approx(right.open_azimuth[i]));
+}
+
+TEST_CASE("the fingertip in S stands at its open azimuth, one radius above the palm plane") {
+  const Anatomy anatomy = infer_anatomy(make_toy_hand({.wrist = true}));
+  const SphereFrame frame = compute_sphere_frame(anatomy);
+  for (int finger = 0; finger < 5; ++finger) {
+    const Vector3d tip = fingertip_in_sphere(anatomy, frame, finger, anatomy.q_open);
+    CHECK(std::atan2(tip.y, tip.x) == doctest::Approx(frame.open_azimuth[finger]));
+    CHECK(tip.z == doctest::Approx(-frame.radius).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("hands that the action space has no planes for are refused") {
+  CHECK_THROWS_WITH_AS(compute_sphere_frame(infer_anatomy(make_toy_gripper(6))), doctest::Contains("6 fingers"), Error);
+}

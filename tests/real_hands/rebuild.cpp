@@ -12,7 +12,7 @@ using namespace uhas;
 TEST_CASE("stored settings rebuild the profile") {
   const test::ScratchFolder folder;
   BuildSettings settings;
-  settings.sphere_frame.radius_scale = 1.05;
+  settings.sphere_frame = {.radius_scale = 1.05, .merge_pinky = true};
   settings.lateral_tables.steps = 101;
   settings.correspondences.samples = 5000;
   const std::string urdf = test::real_hand().urdf.string();

@@ -15,8 +15,17 @@
 namespace uhas {
 namespace {
 
-/// A thumb within 20 degrees of straight ahead or straight against the fingers makes neither a right nor a left hand.
+/// A thumb whose root and tip are within 20 degrees of straight ahead or straight against the fingers makes neither a
+/// right nor a left hand.
 constexpr double kHandedAzimuth = 20 * std::numbers::pi / 180;
+
+double root_azimuth(const PalmPlane& plane, int finger) {
+  const Vector3d p = plane.roots[finger] - plane.center;
+  return std::atan2(dot(p, plane.y), dot(p, plane.x));
+}
+
+/// How far an azimuth is from straight ahead and from straight back (rad).
+double angle_aside(double azimuth) { return std::min(std::abs(azimuth), std::numbers::pi - std::abs(azimuth)); }
 
 class AnatomyInference {
  public:
@@ -111,8 +120,9 @@ class AnatomyInference {
       center += flexion_origin(anatomy_, finger, flexions_.back()) / static_cast<double>(count());
       mean_length_ += finger_length(anatomy_, finger) / static_cast<double>(count());
     }
+    for (std::size_t i = 0; i < count(); ++i) find_closing_side(anatomy_, anatomy_.fingers[i], center, flexions_[i]);
+    agree_on_closing_side(anatomy_, flexions_);
     for (std::size_t i = 0; i < count(); ++i) {
-      find_closing_side(anatomy_, anatomy_.fingers[i], center, flexions_[i]);
       std::vector<double> extended = q_;
       extend_finger(anatomy_, anatomy_.fingers[i], flexions_[i], extended);
       for (int joint : anatomy_.fingers[i].joints)
@@ -142,12 +152,14 @@ class AnatomyInference {
     PalmNormal found = find_palm_normal(postures_, thumb.finger);
     if (config_.palm_normal_in_root)
       found.normal = normalized(anatomy_.T_root_palm.rotation.transposed() * *config_.palm_normal_in_root);
-    for (int round = 0; round < rounds; ++round) {
+    for (int round = 0; round < rounds && !config_.palm_normal_in_root; ++round) {
       q_ = find_open_pose(anatomy_, flexions_, found.normal, q_, held_);
       postures_ = measure_postures();
-      if (config_.palm_normal_in_root) break;
       found = find_palm_normal(postures_, thumb.finger);
     }
+    q_ = settle_bases(anatomy_, flexions_, found.normal, find_open_pose(anatomy_, flexions_, found.normal, q_, held_),
+                      held_);
+    postures_ = measure_postures();
     anatomy_.palm_normal_palm = found.normal;
     anatomy_.q_open = q_;
     note_normal(found);
@@ -197,8 +209,9 @@ class AnatomyInference {
     double confidence = 1;
     std::string reason = "no thumb";
     if (anatomy_.thumb >= 0) {
-      const double azimuth = measure_palm_plane(anatomy_).azimuth[anatomy_.thumb];
-      const double aside = std::min(std::abs(azimuth), std::numbers::pi - std::abs(azimuth));
+      const PalmPlane plane = measure_palm_plane(anatomy_);
+      const double azimuth = plane.azimuth[anatomy_.thumb];
+      const double aside = std::max(angle_aside(azimuth), angle_aside(root_azimuth(plane, anatomy_.thumb)));
       if (aside >= kHandedAzimuth) anatomy_.handedness = azimuth < 0 ? Handedness::right : Handedness::left;
       reason = anatomy_.handedness == Handedness::none ? "the thumb stands straight against the fingers"
                                                        : "the side of the middle finger on which the open thumb stands";

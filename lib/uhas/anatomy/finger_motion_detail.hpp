@@ -52,6 +52,9 @@ Vector3d flexion_origin(const Anatomy& anatomy, const FingerAnatomy& finger, con
 /// @param hand_center  mean of the fingers' flexion origins: an extended finger points away from it
 void find_closing_side(const Anatomy& anatomy, const FingerAnatomy& finger, Vector3d hand_center, Flexion& flexion);
 
+/// Fingers that stand side by side along parallel flexion axes close to the same side: they vote, by their evidence.
+void agree_on_closing_side(const Anatomy& anatomy, std::span<Flexion> flexions);
+
 /// Extends the finger in `q`: distal flexion joints straight, the first one at the open end of its range or at a zero
 /// near it; other joints keep their values.
 void extend_finger(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion, std::span<double> q);

@@ -15,4 +15,9 @@ namespace uhas {
 std::vector<double> find_open_pose(const Anatomy& anatomy, std::span<const Flexion> flexions, Vector3d normal,
                                    std::vector<double> q, const std::vector<bool>& held);
 
+/// The open pose `q` with the fingers' bases at zero, or else at mid range, where that costs next to nothing. The
+/// search above treats side and roll joints so; bases it leaves, for they would turn the palm normal.
+std::vector<double> settle_bases(const Anatomy& anatomy, std::span<const Flexion> flexions, Vector3d normal,
+                                 std::vector<double> q, const std::vector<bool>& held);
+
 }  // namespace uhas

@@ -122,9 +122,15 @@ class AnatomyInference {
     }
     for (std::size_t i = 0; i < count(); ++i) find_closing_side(anatomy_, anatomy_.fingers[i], center, flexions_[i]);
     agree_on_closing_side(anatomy_, flexions_);
+    extend_fingers();
+  }
+
+  /// Straightens every finger for the present values of its side joints.
+  void extend_fingers() {
+    known_base_.clear();
     for (std::size_t i = 0; i < count(); ++i) {
       std::vector<double> extended = q_;
-      extend_finger(anatomy_, anatomy_.fingers[i], flexions_[i], extended);
+      known_base_.push_back(extend_finger(anatomy_, anatomy_.fingers[i], flexions_[i], extended));
       for (int joint : anatomy_.fingers[i].joints)
         if (const int variable = variable_of(anatomy_.tree, joint); !held_[variable]) q_[variable] = extended[variable];
     }
@@ -153,12 +159,12 @@ class AnatomyInference {
     if (config_.palm_normal_in_root)
       found.normal = normalized(anatomy_.T_root_palm.rotation.transposed() * *config_.palm_normal_in_root);
     for (int round = 0; round < rounds && !config_.palm_normal_in_root; ++round) {
-      q_ = find_open_pose(anatomy_, flexions_, found.normal, q_, held_);
+      q_ = find_open_pose(anatomy_, flexions_, found.normal, Bases::held, q_, held_);
+      extend_fingers();
       postures_ = measure_postures();
       found = find_palm_normal(postures_, thumb.finger);
     }
-    q_ = settle_bases(anatomy_, flexions_, found.normal, find_open_pose(anatomy_, flexions_, found.normal, q_, held_),
-                      held_);
+    q_ = find_open_pose(anatomy_, flexions_, found.normal, Bases::searched, q_, held_);
     postures_ = measure_postures();
     anatomy_.palm_normal_palm = found.normal;
     anatomy_.q_open = q_;
@@ -179,14 +185,20 @@ class AnatomyInference {
   void note_normal(const PalmNormal& found) {
     if (config_.palm_normal_in_root)
       return note("palm_normal", "as given", "set by the config", 1, "palm_normal_in_root");
+    constexpr double guess = 0.45;  // the angle of the fingers' bases to the palm may be 15 degrees off
     double evidence = 0;
-    for (const Flexion& flexion : flexions_) evidence += flexion.evidence / static_cast<double>(count());
+    bool known = false;
+    for (std::size_t i = 0; i < count(); ++i) {
+      evidence += flexions_[i].evidence / static_cast<double>(count());
+      if (static_cast<int>(i) != anatomy_.thumb && known_base_[i]) known = true;
+    }
+    const double confidence = std::min({found.coherence, 2 * evidence, known ? 1.0 : guess});
     const Vector3d n = anatomy_.T_root_palm.rotation * found.normal;
     const auto number = [](double value) { return std::to_string(value).substr(0, value < 0 ? 6 : 5); };
     note("palm_normal", number(n.x) + " " + number(n.y) + " " + number(n.z) + " in the root frame",
          found.opposing ? "the axis around which opposing fingers close"
                         : "mean direction in which the fingers close, the side of their larger joint ranges",
-         std::min(found.coherence, std::clamp(2 * evidence, 0.0, 1.0)), "palm_normal_in_root");
+         confidence, "palm_normal_in_root");
   }
 
   void note_open_pose() {
@@ -241,6 +253,7 @@ class AnatomyInference {
   Anatomy anatomy_;
   double mean_length_ = 0;               ///< of the fingers
   std::vector<Flexion> flexions_;        ///< one a finger
+  std::vector<bool> known_base_;         ///< one a finger: the angle of its base to the palm is no guess
   std::vector<FingerPosture> postures_;  ///< one a finger, at `q_`
   std::vector<double> q_;
   std::vector<bool> held_;  ///< joints whose open value the config sets

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "uhas/runtime/forward_kinematics.hpp"
 
@@ -101,18 +102,19 @@ void find_jaw_closing_side(const FingerPose& pose, Vector3d hand_center, Flexion
 }
 
 /// How far the finger would have to close (rad) for the side joint just before its first flexion joint to turn about
-/// the closing direction or about the finger's own; 0 when it does neither nearly.
-double turn_to_side_axis(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion,
-                         std::span<const double> q, FingerPose& pose) {
+/// the closing direction or about the finger's own; nothing when it does neither nearly.
+std::optional<double> turn_to_side_axis(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion,
+                                        std::span<const double> q, FingerPose& pose) {
   constexpr double quarter = std::numbers::pi / 2, across = 0.35;
   const int side = flexion.positions.front() - 1;
   const FingerPosture posture = measure_posture(anatomy, finger, flexion, q, pose);
   const Vector3d axis = pose.axis[side];
   const bool turns = anatomy.tree.joints[finger.joints[side]].kind != JointKind::prismatic;
-  if (!turns || std::abs(dot(axis, posture.axis)) > across) return 0;
+  if (!turns || std::abs(dot(axis, posture.axis)) > across) return std::nullopt;
   const double angle = std::atan2(dot(axis, posture.closing), dot(axis, posture.direction));
   const double turn = std::remainder(angle, quarter);
-  return std::abs(turn) <= kSideAxisDeviation ? turn : 0;
+  if (std::abs(turn) > kSideAxisDeviation) return std::nullopt;
+  return turn;
 }
 
 }  // namespace
@@ -275,12 +277,14 @@ void agree_on_closing_side(const Anatomy& anatomy, std::span<Flexion> flexions) 
   }
 }
 
-void extend_finger(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion, std::span<double> q) {
+bool extend_finger(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion, std::span<double> q) {
   const std::vector<int> straight = straighten(anatomy, finger, flexion, q);
   const int first = flexion.positions.front();
   const int variable = variable_of(anatomy.tree, finger.joints[first]);
-  if (std::find(straight.begin(), straight.end(), variable) != straight.end()) return;
+  if (std::find(straight.begin(), straight.end(), variable) != straight.end()) return true;
 
+  // Who put zero where the phalanges are straight put it where the base is straight too.
+  const bool zero_is_straight = std::all_of(straight.begin(), straight.end(), [&](int v) { return q[v] == 0; });
   FingerPose pose;
   pose_finger(anatomy, finger, q, pose);
   const Joint& joint = anatomy.tree.joints[variable];
@@ -291,7 +295,7 @@ void extend_finger(const Anatomy& anatomy, const FingerAnatomy& finger, const Fl
   bool is_guess = false;
   if (flexion.sliding) {
     // a jaw is open at the end of its range
-  } else if (std::abs(open_end) <= kHyperextension) {
+  } else if (zero_is_straight && std::abs(open_end) <= kHyperextension) {
     value = clamp_to_limits(joint, 0.0);
   } else if (norm(pose.origin[first] - pose.origin.front()) > kShortestMetacarpal * length) {
     value = preferred_value(joint, kStraightTolerance * length, [&](double candidate) {
@@ -305,11 +309,13 @@ void extend_finger(const Anatomy& anatomy, const FingerAnatomy& finger, const Fl
     is_guess = true;
   }
   set_joint(anatomy.tree, variable, value, q);
-  if (flexion.sliding || first == 0) return;
+  if (flexion.sliding || first == 0) return !is_guess;
 
   // A side joint before it turns about the palm normal or about the finger: two estimates are better than one.
-  const double turn = turn_to_side_axis(anatomy, finger, flexion, q, pose) * (is_guess ? 1 : 0.5) / sense;
-  set_joint(anatomy.tree, variable, clamp_to_limits(joint, value + turn), q);
+  const std::optional<double> turn = turn_to_side_axis(anatomy, finger, flexion, q, pose);
+  if (!turn) return !is_guess;
+  set_joint(anatomy.tree, variable, clamp_to_limits(joint, value + *turn * (is_guess ? 1 : 0.5) / sense), q);
+  return true;
 }
 
 FingerPosture measure_posture(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion,

@@ -60,10 +60,13 @@ class OpenPoseSearch {
   }
 
   /// The groups of fingers that are opened together, with the variables to find.
-  std::vector<FingerGroup> groups() const {
+  std::vector<FingerGroup> groups(Bases bases) const {
     std::vector<FingerGroup> groups = group_fingers(anatomy_);
     for (FingerGroup& group : groups)
-      std::erase_if(group.variables, [&](int variable) { return held_[variable] || stays_extended(group, variable); });
+      std::erase_if(group.variables, [&](int variable) {
+        return held_[variable] || stays_extended(group, variable) ||
+               (bases == Bases::held && is_base_flexion(group, variable));
+      });
     return groups;
   }
 
@@ -75,22 +78,7 @@ class OpenPoseSearch {
       if (value > best_value + kGain) best = start, best_value = value;
     }
     q = best;
-    settle(group, false, q);
-  }
-
-  /// Designers put "open" at zero: zero is taken where it costs next to nothing, by base flexion joints or by all
-  /// others.
-  void settle(const FingerGroup& group, bool bases, std::vector<double>& q) {
-    double lowest = openness(group, q);
-    for (int finger : group.fingers) lowest -= finger == anatomy_.thumb ? kThumbSnapTolerance : kSnapTolerance;
-    for (int variable : group.variables) {
-      if (is_base_flexion(group, variable) != bases) continue;
-      const double best = openness(group, q);
-      const double value = preferred_value(
-          anatomy_.tree.joints[variable], best - lowest,
-          [&, trial = q](double candidate) mutable { return try_value(group, variable, candidate, trial); });
-      set_joint(anatomy_.tree, variable, value, q);
-    }
+    settle(group, q);
   }
 
  private:
@@ -162,6 +150,20 @@ class OpenPoseSearch {
     }
   }
 
+  /// Designers put "open" at zero: zero is taken where it costs next to nothing, by base flexion joints or by all
+  /// others.
+  void settle(const FingerGroup& group, std::vector<double>& q) {
+    double lowest = openness(group, q);
+    for (int finger : group.fingers) lowest -= finger == anatomy_.thumb ? kThumbSnapTolerance : kSnapTolerance;
+    for (int variable : group.variables) {
+      const double best = openness(group, q);
+      const double value = preferred_value(
+          anatomy_.tree.joints[variable], best - lowest,
+          [&, trial = q](double candidate) mutable { return try_value(group, variable, candidate, trial); });
+      set_joint(anatomy_.tree, variable, value, q);
+    }
+  }
+
   const Anatomy& anatomy_;
   std::span<const Flexion> flexions_;
   Vector3d normal_;
@@ -173,16 +175,9 @@ class OpenPoseSearch {
 }  // namespace
 
 std::vector<double> find_open_pose(const Anatomy& anatomy, std::span<const Flexion> flexions, Vector3d normal,
-                                   std::vector<double> q, const std::vector<bool>& held) {
+                                   Bases bases, std::vector<double> q, const std::vector<bool>& held) {
   OpenPoseSearch search(anatomy, flexions, normal, held);
-  for (const FingerGroup& group : search.groups()) search.open(group, q);
-  return q;
-}
-
-std::vector<double> settle_bases(const Anatomy& anatomy, std::span<const Flexion> flexions, Vector3d normal,
-                                 std::vector<double> q, const std::vector<bool>& held) {
-  OpenPoseSearch search(anatomy, flexions, normal, held);
-  for (const FingerGroup& group : search.groups()) search.settle(group, true, q);
+  for (const FingerGroup& group : search.groups(bases)) search.open(group, q);
   return q;
 }
 

@@ -52,9 +52,13 @@ Vector3d flexion_origin(const Anatomy& anatomy, const FingerAnatomy& finger, con
 /// @param hand_center  mean of the fingers' flexion origins: an extended finger points away from it
 void find_closing_side(const Anatomy& anatomy, const FingerAnatomy& finger, Vector3d hand_center, Flexion& flexion);
 
-/// Extends the finger in `q`: distal flexion joints straight, the first one at the open end of its range or at a zero
-/// near it; other joints keep their values.
-void extend_finger(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion, std::span<double> q);
+/// Fingers that stand side by side along parallel flexion axes close to the same side: they vote, by their evidence.
+void agree_on_closing_side(const Anatomy& anatomy, std::span<Flexion> flexions);
+
+/// Extends the finger in `q`: distal flexion joints straight, the first one at a zero near the open end of its range,
+/// else straight with what comes before it, else just short of the open end; a side joint before it has a say. Other
+/// joints keep their values. Returns false when the first one's value is no more than a guess.
+bool extend_finger(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion, std::span<double> q);
 
 /// A finger as the rest of the hand sees it; unit vectors, orthogonal to each other.
 struct FingerPosture {

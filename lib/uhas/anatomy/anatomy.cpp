@@ -71,7 +71,7 @@ class AnatomyInference {
              std::string(anatomy_.other_joints.empty() ? ""
                                                        : "; " + std::to_string(anatomy_.other_joints.size()) +
                                                              " other joints are above the palm or too short"),
-         0.5 + found.chain_margin / 2, "palm_link");
+         0.4 + 0.6 * found.chain_margin, "palm_link");
   }
 
   void find_tips() {

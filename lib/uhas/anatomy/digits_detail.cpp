@@ -70,15 +70,17 @@ PalmNormal find_palm_normal(std::span<const FingerPosture> postures, int thumb) 
 
   // Opposing fingers swing through the axis they close around: outward, then along it, then inward. Closing direction
   // and finger direction both have a part along the axis, and their other parts cancel when every side counts once.
-  Vector3d sum;
+  // Axes that do not cancel too are no such fingers, and their sum tells little.
+  Vector3d sum, axes;
   double weights = 0;
   for (const FingerPosture& posture : postures) {
     double same_side = 0;
     for (const FingerPosture& other : postures) same_side += std::max(0.0, dot(posture.axis, other.axis));
     sum += (posture.closing + posture.direction) / same_side;
+    axes += posture.axis / same_side;
     weights += 1 / same_side;
   }
-  return {normalized(sum), true, std::min(1.0, norm(sum) / weights)};
+  return {normalized(sum), true, std::min(1.0, norm(sum) / weights) * (1 - norm(axes) / weights)};
 }
 
 int find_middle_finger(std::span<const FingerPosture> postures, int thumb, Vector3d normal) {

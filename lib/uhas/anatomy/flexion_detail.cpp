@@ -248,7 +248,8 @@ FingerPosture measure_posture(const Anatomy& anatomy, const FingerAnatomy& finge
   FingerPosture posture;
   posture.root = scratch.origin.front();
   posture.tip = scratch.tip;
-  const Vector3d along = scratch.tip - scratch.origin[flexion.positions.front()];
+  posture.knuckle = scratch.origin[flexion.positions.front()];
+  const Vector3d along = posture.tip - posture.knuckle;
   const Vector3d axis = flexion.closing_sign * scratch.axis[flexion.positions.back()];
   posture.direction = normalized(orthogonal_part(along, axis));
   if (flexion.sliding) {

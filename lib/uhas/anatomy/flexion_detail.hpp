@@ -37,6 +37,7 @@ bool extend_finger(const Anatomy& anatomy, const FingerAnatomy& finger, const Fl
 /// A finger as the rest of the hand sees it; unit vectors, orthogonal to each other.
 struct FingerPosture {
   Vector3d root, tip;
+  Vector3d knuckle;    ///< origin of the first flexion joint
   Vector3d direction;  ///< first flexion joint to tip, in the plane of flexion
   Vector3d axis;       ///< flexion axis, turned such that a positive turn closes
   Vector3d closing;    ///< where the tip moves when the finger closes: axis x direction

@@ -15,6 +15,8 @@ using namespace uhas::tools;
 
 namespace {
 
+constexpr std::size_t kFailuresNamed = 3;  // in the error line; the table has them all
+
 struct Options {
   std::string profile, urdf;
   std::vector<PackageFolder> packages;
@@ -54,7 +56,12 @@ ExitCode report(const Tool& tool, const Options& options, const HandProfile& pro
   std::vector<std::string> failed;
   for (const Check& check : checks)
     if (!check.passed) failed.push_back(check.item + " (" + check.detail + ")");
-  tool.report_error(options.profile + ": failed: " + join(failed, ", ") + "; rebuild it with uhas-build-profile");
+  if (failed.size() > kFailuresNamed) {
+    const std::string rest = "and " + std::to_string(failed.size() - kFailuresNamed) + " more";
+    failed.resize(kFailuresNamed);
+    failed.push_back(rest);
+  }
+  tool.report_error(options.profile + ": check failed: " + join(failed, ", ") + "; rebuild it with uhas-build-profile");
   return ExitCode::run_failed;
 }
 

@@ -40,7 +40,7 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--joint-order", options.joints.order, "Joints to print, in this order [those of the profile]")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->type_name("A,B,C");
+      ->option_text("A,B,C");
   app.add_flag("--actuated-only", options.joints.actuated_only, "Leave out joints that follow another one");
 }
 

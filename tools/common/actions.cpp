@@ -26,16 +26,23 @@ std::string excerpt(const Json& value) {
   return text.size() <= 40 ? text : text.substr(0, 37) + "...";
 }
 
-std::vector<double> numbers(const Json& list, const std::string& name, const Place& place) {
-  if (!list.is_array()) throw place.error(name + " is not an array", "write an array of numbers");
+/// `of_what` says which part of the item the list is: empty, or " of radial".
+std::vector<double> numbers(const Json& list, const std::string& of_what, const Place& place) {
   std::vector<double> values;
   for (const Json& element : list) {
     if (!element.is_number())
-      throw place.error(name + " has " + excerpt(element) + " as element " + std::to_string(values.size()),
+      throw place.error("element " + std::to_string(values.size()) + of_what + " is " + excerpt(element),
                         "write a number");
     values.push_back(element.get<double>());
   }
   return values;
+}
+
+/// The array of numbers at `key`.
+std::vector<double> numbers_at(const Json& object, const char* key, const Place& place) {
+  const Json& list = object[key];
+  if (!list.is_array()) throw place.error(std::string(key) + " is not an array", "write an array of numbers");
+  return numbers(list, std::string(" of ") + key, place);
 }
 
 void refuse_unknown_keys(const Json& object, std::span<const char* const> known, const Place& place) {
@@ -53,13 +60,14 @@ std::vector<double> action_from_object(const Json& object, const Place& place) {
   if (!object.contains("lateral") || !object.contains("radial"))
     throw place.error("lateral or radial is missing",
                       "write {\"lateral\": [5 numbers], \"radial\": [5 arrays of V numbers]}");
-  std::vector<double> values = numbers(object["lateral"], "lateral", place);
+  std::vector<double> values = numbers_at(object, "lateral", place);
   const Json& radial = object["radial"];
   if (values.size() != kSlotCount || !radial.is_array() || radial.size() != kSlotCount)
     throw place.error("lateral or radial does not have 5 elements",
                       "write one for each of pinky, ring, middle, index, thumb");
   for (const Json& plane : radial) {
-    const std::vector<double> displacements = numbers(plane, "radial", place);
+    if (!plane.is_array()) throw place.error("an element of radial is not an array", "write V numbers for each plane");
+    const std::vector<double> displacements = numbers(plane, " of a plane of radial", place);
     if (plane.size() != radial.front().size())
       throw place.error("the planes of radial differ in length", "write as many numbers for each plane");
     values.insert(values.end(), displacements.begin(), displacements.end());
@@ -68,8 +76,8 @@ std::vector<double> action_from_object(const Json& object, const Place& place) {
 }
 
 std::vector<double> to_action(const Json& value, const Place& place) {
-  const std::vector<double> values =
-      value.is_object() ? action_from_object(value, place) : numbers(value, "the action", place);
+  if (!value.is_structured()) throw place.error("is " + excerpt(value), "write an array or an object");
+  const std::vector<double> values = value.is_object() ? action_from_object(value, place) : numbers(value, "", place);
   if (values.size() % kSlotCount != 0 || values.size() < 2 * kSlotCount || values.size() > kMaxActionSize)
     throw place.error("has " + std::to_string(values.size()) + " numbers",
                       "write 5 + 5 V numbers for V = 1 to 4 driving vectors, 15 for the usual two");
@@ -105,7 +113,7 @@ ActionsDocument read_actions(const std::string& path) {
     document.profile = std::filesystem::path(path).parent_path() / json["profile"].get<std::string>();
   }
   if (json.contains("driving_vectors_phi"))
-    document.driving_vectors_phi = numbers(json["driving_vectors_phi"], "driving_vectors_phi", place);
+    document.driving_vectors_phi = numbers_at(json, "driving_vectors_phi", place);
   if (json.contains("normalized")) {
     if (!json["normalized"].is_boolean()) throw place.error("normalized is not true or false", "write true or false");
     document.normalized = json["normalized"].get<bool>();
@@ -126,6 +134,6 @@ ActionsDocument read_actions(const std::string& path) {
   return document;
 }
 
-std::vector<double> parse_action(std::string_view line) { return to_action(parse_json(line, ""), {}); }
+std::vector<double> parse_action(std::string_view line) { return to_action(parse_json(line, ""), {"", "action"}); }
 
 }  // namespace uhas::tools

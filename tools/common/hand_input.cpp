@@ -32,7 +32,7 @@ void add_package_option(CLI::App& app, std::vector<PackageFolder>& packages) {
   app.add_option_function<std::vector<std::string>>("--package", assign,
                                                     "Folder that package://NAME/ stands for; repeatable")
       ->allow_extra_args(false)
-      ->type_name("NAME=DIR");
+      ->option_text("NAME=DIR");
 }
 
 void add_lateral_options(CLI::App& app, LateralTableOptions& options) {
@@ -43,7 +43,7 @@ void add_lateral_options(CLI::App& app, LateralTableOptions& options) {
 
 void add_surface_options(CLI::App& app, CorrespondenceOptions& options) {
   app.add_option("--samples", options.samples, "Rays cast from the sphere's centre [20000]")
-      ->check(CLI::Range(1, 10'000'000).description(""))
+      ->check(CLI::Range(1, 1'000'000).description(""))
       ->type_name("N");
   app.add_option("--points-per-link", options.points_per_link, "Points of a link that the solver uses, at most [32]")
       ->check(CLI::Range(1, 10'000).description(""))

@@ -29,6 +29,8 @@ std::string one_line(const Json& value) {
   return value.is_object() ? "{" + text + "}" : "[" + text + "]";
 }
 
+/// Appends `value` in one line when it fits or is a list of numbers or words, else one element a line. `split` demands the
+/// latter, for the document as a whole.
 void append(const Json& value, std::size_t indent, bool split, std::string& out) {
   if (!split) {
     const std::string line = one_line(value);
@@ -49,8 +51,7 @@ void append(const Json& value, std::size_t indent, bool split, std::string& out)
   out += "\n" + std::string(indent, ' ') + (value.is_object() ? "}" : "]");
 }
 
-/// The part of nlohmann's message that says what is wrong: after "[json.exception...] parse error at line 1, column 2:
-/// ".
+/// The part of nlohmann's message that says what is wrong, without the exception's name and the place.
 std::string problem_of(const nlohmann::json::exception& error) {
   const std::string text = error.what();
   const std::size_t place = text.find("column ");
@@ -80,7 +81,7 @@ Json parse_json(std::string_view text, const std::string& file) {
   const auto bound_depth = [&](int depth, Json::parse_event_t, Json&) {
     if (depth > kMaxDepth)
       throw Error(ErrorCode::syntax, file, "nested more than " + std::to_string(kMaxDepth) + " levels deep",
-                  "check the file");
+                  "use fewer levels");
     return true;
   };
   try {
@@ -89,9 +90,9 @@ Json parse_json(std::string_view text, const std::string& file) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
     const auto line = 1 + std::count(text.begin(), end, '\n');
     throw Error(ErrorCode::syntax, file.empty() ? "" : file + ":" + std::to_string(line),
-                "not JSON: " + problem_of(error), "correct the file");
+                "not JSON: " + problem_of(error), "correct the syntax");
   } catch (const nlohmann::json::exception& error) {  // a number beyond the range of double
-    throw Error(ErrorCode::syntax, file, "not usable: " + problem_of(error), "correct the file");
+    throw Error(ErrorCode::syntax, file, problem_of(error), "write numbers within the range of double");
   }
 }
 

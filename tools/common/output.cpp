@@ -8,7 +8,7 @@
 namespace uhas::tools {
 
 void write_result(const std::string& path, const std::string& text) {
-  if (path.empty())
+  if (path.empty() || path == "-")
     std::cout << text;
   else
     detail::replace_file(path, std::as_bytes(std::span(text)));

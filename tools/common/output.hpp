@@ -5,7 +5,8 @@
 
 namespace uhas::tools {
 
-/// Writes `text` to the file `path`, which appears whole or not at all; to standard output when `path` is empty.
+/// Writes `text` to the file `path`, which appears whole or not at all; to standard output when `path` is
+/// empty or "-".
 /// Throws Error(write_failed).
 void write_result(const std::string& path, const std::string& text);
 

@@ -27,17 +27,23 @@ std::vector<Check> check_behaviour(const HandProfile& profile) {
 }
 
 std::vector<Check> check_sources(const HandProfile& profile, const HandModel& model) {
+  std::vector<SourceFile> before = profile.sources, now = model.sources;
+  // the first is the URDF, which may have got another name meanwhile
+  if (!before.empty() && !now.empty()) before.front().name = now.front().name;
+
   std::vector<Check> checks;
-  for (const SourceFile& then : profile.sources) {
-    const auto now = std::ranges::find(model.sources, then.name, &SourceFile::name);
-    if (now == model.sources.end())
-      checks.push_back({then.name, false, "no longer part of the model"});
+  for (const SourceFile& file : before) {
+    const auto found = std::ranges::find(now, file.name, &SourceFile::name);
+    if (found == now.end())
+      checks.push_back({file.name, false, "no longer part of the model"});
+    else if (found->sha256 == file.sha256)
+      checks.push_back({file.name, true, "unchanged"});
     else
-      checks.push_back({then.name, now->sha256 == then.sha256, now->sha256 == then.sha256 ? "unchanged" : "changed"});
+      checks.push_back({file.name, false, "changed"});
   }
-  for (const SourceFile& now : model.sources)
-    if (std::ranges::find(profile.sources, now.name, &SourceFile::name) == profile.sources.end())
-      checks.push_back({now.name, false, "new in the model"});
+  for (const SourceFile& file : now)
+    if (std::ranges::find(before, file.name, &SourceFile::name) == before.end())
+      checks.push_back({file.name, false, "new in the model"});
   return checks;
 }
 

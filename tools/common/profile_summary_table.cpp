@@ -35,7 +35,7 @@ void print_fingers(std::ostream& out, const HandProfile& profile) {
                {"slots"},
                {"tip link"},
                {"tip phi", Align::right},
-               {"sideways", Align::right},
+               {"sideways range", Align::right},
                {"points", Align::right}});
   for (const ProfileFinger& finger : profile.fingers) {
     std::string range = "-";
@@ -47,8 +47,11 @@ void print_fingers(std::ostream& out, const HandProfile& profile) {
                    std::to_string(points_of_finger(profile, finger))});
   }
   table.print(out);
+  std::vector<std::string> without;
   for (const ProfileFinger& finger : profile.fingers)
-    if (finger.lateral_table < 0) out << finger.name << " has no lateral joint: it ignores its delta theta.\n";
+    if (finger.lateral_table < 0) without.push_back(finger.name);
+  if (!without.empty())
+    out << "Delta theta is ignored, for want of a lateral joint that moves the tip: " << join(without, ", ") << '\n';
 }
 
 void print_joints(std::ostream& out, const HandProfile& profile, bool with_poses) {

@@ -9,14 +9,19 @@
 namespace uhas::tools {
 
 Tool::Tool(std::string name, int argc, char** argv)
-    : name_(std::move(name)), app_("", name_), argc_(argc), argv_(argv) {
+    : name_(std::move(name)), app_("", name_), argc_(argc), argv_(argv) {}
+
+void Tool::parse() {
+  // added last, so that --help lists them after the tool's own options
   app_.option_defaults()->group("Common options");
   app_.add_flag("--json", json_, "Print the result as JSON");
-  CLI::Option* quiet = app_.add_flag("--quiet", quiet_, "Print no warnings and no progress");
-  app_.add_flag("--verbose", verbose_, "Say on stderr what is being done")->excludes(quiet);
-  app_.set_help_flag("-h,--help", "Print this help and exit");
+  app_.add_flag("--quiet", quiet_, "Print no warnings and no progress");
+  app_.add_flag("--verbose", verbose_, "Say on stderr what is being done");
   app_.set_version_flag("--version", name_ + " " UHAS_VERSION, "Print the version and exit");
-  app_.option_defaults()->group("Options");
+  app_.set_help_flag("-h,--help", "Print this help and exit");
+  app_.footer("Exit codes: 0 done, 1 the input or the run failed, 2 wrong usage.");
+  app_.parse(argc_, argv_);
+  if (quiet_ && verbose_) throw wrong_usage("--verbose", "excludes --quiet");
 }
 
 void Tool::warn(std::span<const std::string> warnings) const {
@@ -38,9 +43,11 @@ int run_tool(const std::string& name, int argc, char** argv, const std::function
   Tool tool(name, argc, argv);
   ExitCode code = ExitCode::run_failed;
   try {
-    code = body(tool);
-    // a full disk or a closed terminal must not pass for success
-    if (!std::cout.flush()) throw Error(ErrorCode::write_failed, "standard output", "cannot be written", "");
+    const ExitCode result = body(tool);
+    // a full disk must not pass for success
+    if (!std::cout.flush())
+      throw Error(ErrorCode::write_failed, "standard output", "cannot be written", "free some space");
+    code = result;
   } catch (const CLI::Success& request) {  // --help and --version
     return tool.options().exit(request);
   } catch (const CLI::ParseError& error) {

@@ -15,14 +15,14 @@ namespace uhas::tools {
 /// A running tool: its command line and its voice.
 class Tool {
  public:
-  /// Makes a command line that knows --json, --quiet, --verbose, --version and --help.
   Tool(std::string name, int argc, char** argv);
 
   /// The command line, for the options of this tool.
   CLI::App& options() { return app_; }
 
-  /// Reads the command line into the variables the options were bound to.
-  void parse() { app_.parse(argc_, argv_); }
+  /// Adds --json, --quiet, --verbose, --version and --help, then reads the command line into the variables the options
+  /// were bound to. Throws CLI::ParseError.
+  void parse();
 
   bool json() const { return json_; }
   bool quiet() const { return quiet_; }

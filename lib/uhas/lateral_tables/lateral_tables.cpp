@@ -186,12 +186,12 @@ LateralTables build_lateral_tables(const Anatomy& anatomy, const SphereFrame& fr
 
   // the joint that drives a finger; its table is measured again with the finger's other lateral joints at neutral
   for (int f = 0; f < static_cast<int>(anatomy.fingers.size()); ++f) {
+    const auto rank = [&](int t) {  // a joint that moves its fingertip goes before one that hardly does, then the wider range
+      return std::pair(moves_its_tip(hand, result.tables[t].joint, f, q_neutral), azimuth_range(result.tables[t]));
+    };
     int driver = -1;
-    for (int t = 0; t < static_cast<int>(result.tables.size()); ++t) {
-      const LateralTable& table = result.tables[t];
-      if (finger_of(anatomy, table.joint) != f || !moves_its_tip(hand, table.joint, f, q_neutral)) continue;
-      if (driver < 0 || azimuth_range(table) > azimuth_range(result.tables[driver])) driver = t;
-    }
+    for (int t = 0; t < static_cast<int>(result.tables.size()); ++t)
+      if (finger_of(anatomy, result.tables[t].joint) == f && (driver < 0 || rank(t) > rank(driver))) driver = t;
     if (driver < 0) continue;
     LateralTable table = build_table(hand, result.tables[driver].joint, f, q, options.steps);
     if (table.q.empty()) continue;

@@ -11,7 +11,6 @@
 #include <array>
 #include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
-#include <exception>
 #include <map>
 #include <memory>
 #include <sstream>
@@ -198,6 +197,7 @@ TriangleMesh read_mesh(const fs::path& path, const std::string& reference, const
 
   auto files = std::make_unique<MeshFiles>(path, reference, options, sources);
   const FileBytes& bytes = files->mesh_bytes();
+  if (bytes.empty()) throw Error(ErrorCode::invalid_mesh, path, "the mesh file is empty", "export the mesh again");
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   if (extension == "dae") check_xml_bounds(text, path);
   if (extension == "glb" || extension == "gltf") check_gltf_bounds(text, path);

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "uhas/base/errors.hpp"
+#include "uhas/model/link_order_detail.hpp"
 #include "uhas/model/xml_bounds_detail.hpp"
 
 namespace uhas::detail {
@@ -56,6 +57,50 @@ void reduce_joint(TiXmlElement& joint) {
   }
 }
 
+std::string name_of(const TiXmlElement& element, const std::string& file) {
+  const char* name = element.Attribute("name");
+  if (name == nullptr || *name == '\0')
+    throw Error(ErrorCode::invalid_model, file + ":" + std::to_string(element.Row()),
+                "a " + element.ValueStr() + " has no name", "give it one");
+  return name;
+}
+
+// The `link` attribute of a joint's parent or child; empty when there is none.
+std::string link_of(const TiXmlElement& joint, const char* end) {
+  const TiXmlElement* element = joint.FirstChildElement(end);
+  const char* link = element != nullptr ? element->Attribute("link") : nullptr;
+  return link != nullptr ? link : "";
+}
+
+// urdfdom keeps graphs with a cycle in memory for ever and tells little of the others it refuses, so a graph that is no
+// tree must not reach it.
+void check_tree(const TiXmlElement& robot, const std::string& file) {
+  Urdf skeleton;
+  for (const TiXmlElement* child = robot.FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
+    if (child->ValueStr() == "link") {
+      skeleton.links.push_back({name_of(*child, file), {}, {}});
+    } else {
+      UrdfJoint& joint = skeleton.joints.emplace_back();
+      joint.joint.name = name_of(*child, file);
+      joint.parent_link = link_of(*child, "parent");
+      joint.child_link = link_of(*child, "child");
+    }
+  }
+  const auto link_name = [](const UrdfLink& link) -> const std::string& { return link.name; };
+  const auto joint_name = [](const UrdfJoint& joint) -> const std::string& { return joint.joint.name; };
+  const auto sort_unique = [&file](auto& list, auto name, const std::string& kind) {
+    std::ranges::sort(list, {}, name);
+    const auto twin = std::ranges::adjacent_find(list, {}, name);
+    if (twin != list.end())
+      throw Error(ErrorCode::invalid_model, file, "two " + kind + " have the name '" + name(*twin) + "'", "rename one");
+  };
+  sort_unique(skeleton.links, link_name, "links");
+  sort_unique(skeleton.joints, joint_name, "joints");
+  if (skeleton.links.empty())
+    throw Error(ErrorCode::invalid_model, file, "the URDF has no link", "name the URDF of a hand");
+  order_links(skeleton, file);
+}
+
 }  // namespace
 
 std::string reduce_urdf(const std::string& text, const std::string& file) {
@@ -84,6 +129,8 @@ std::string reduce_urdf(const std::string& text, const std::string& file) {
   remove_children(*robot, none_of(parts));
   for (TiXmlElement* child = robot->FirstChildElement(); child != nullptr; child = child->NextSiblingElement())
     child->ValueStr() == "link" ? reduce_link(*child) : reduce_joint(*child);
+
+  check_tree(*robot, file);
 
   TiXmlPrinter printer;
   robot->Accept(&printer);

@@ -9,7 +9,8 @@ namespace uhas::detail {
 /// (inertias, materials, transmissions, sensors) cannot make urdfdom drop what it does need.
 /// A capsule is passed on as a cylinder; the `name` of every visual and collision becomes the tag of its shape, which
 /// tells the two apart.
-/// Throws Error: syntax (not XML, no URDF, unexpanded xacro), limit_exceeded (nesting or a tag beyond any real URDF).
+/// Throws Error: syntax (not XML, no URDF, unexpanded xacro), invalid_model (the links are no tree), limit_exceeded
+/// (nesting or a tag beyond any real URDF).
 std::string reduce_urdf(const std::string& text, const std::string& file);
 
 }  // namespace uhas::detail

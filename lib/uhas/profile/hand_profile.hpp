@@ -69,7 +69,7 @@ struct LateralTable {
 struct ProfileFinger {
   std::string name;
   std::array<bool, kSlotCount> slots{};  ///< the action slots this finger owns; their inputs are averaged
-  std::vector<int> joints;               ///< joint indices root to tip, mimic followers included
+  std::vector<int> joints;               ///< joint indices root to tip, mimic followers included; each carries the next
   int tip_link = -1;                     ///< index into `links`
   Vector3d p_tip_link;                   ///< fingertip point in the tip link's frame (m)
   Vector3d pad_normal_link;              ///< outward normal of the fingertip's pad, unit, tip link's frame
@@ -142,8 +142,8 @@ struct HandProfile {
   friend bool operator==(const HandProfile&, const HandProfile&) = default;
 };
 
-/// Checks every index, shape, range and finiteness that the runtime relies on.
-/// Throws Error(invalid_profile) naming `file` and the field.
+/// Checks every index, shape, range and finiteness that the runtime relies on; no number may exceed 1e6 in magnitude.
+/// Throws Error(invalid_profile) naming `file` and the first field that is wrong, as the file format names it.
 void validate_profile(const HandProfile& profile, const std::string& file);
 
 }  // namespace uhas

@@ -126,7 +126,7 @@ class Screening {
     throw profile_error(path_, name + " " + problem);
   }
   [[noreturn]] void exceed(const std::string& name, const std::string& problem) const {
-    throw Error(ErrorCode::limit_exceeded, path_, name + " " + problem, rebuild_remedy);
+    throw Error(ErrorCode::limit_exceeded, path_, name + " " + problem, "build it with fewer samples");
   }
 
   const std::string& path_;

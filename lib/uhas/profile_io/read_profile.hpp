@@ -13,9 +13,9 @@ namespace uhas {
 /// checked is what is parsed. That guards against damage, not malice: whoever writes a file can seal it with a right
 /// hash, and HDF5 has crashed on crafted files. Read a profile of unknown origin in a process of its own.
 ///
-/// Throws Error: file_unreadable; limit_exceeded (over 256 MiB); unsupported_version (another major version);
-/// invalid_profile (damaged, alien, inconsistent), which names the dataset where there is one.
-/// Safe to call from several threads; calls take turns.
+/// Throws Error: file_unreadable; limit_exceeded (over 256 MiB, in the file or unpacked); unsupported_version (another
+/// major version); invalid_profile (damaged, alien, inconsistent), which names the dataset where there is one. Safe to
+/// call from several threads; calls take turns.
 HandProfile read_profile(const std::string& path);
 
 }  // namespace uhas

@@ -44,6 +44,7 @@ class Cascade {
 
   void sweep(const SolverModel<Real>& model) noexcept;
   void solve_step(const SolverModel<Real>& model, const SolverStep& step) noexcept;
+  void close_faded(const SolverModel<Real>& model) noexcept;
   void set_unknown(const SolverModel<Real>& model, const SolverStep& step, Real value) noexcept;
   void mark(const SolverStep& step, std::vector<std::uint8_t>& flags, bool value) noexcept;
 
@@ -60,6 +61,7 @@ class Cascade {
   std::vector<RigidTransform<Real>> T_moved_;         // [joint] moved frame in S
   std::vector<PointMoments<Real>> own_;               // [joint] of the points on the joint's links
   std::vector<PointMoments<Real>> carried_;           // [joint] own and all further out, decayed, in the joint's moved frame
+  std::vector<Real> open_share_;                      // [joint] of a step: what closing has left of the weight it carries
   Real decay_{};                                      // of the present pass
 };
 

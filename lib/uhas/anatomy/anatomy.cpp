@@ -71,7 +71,7 @@ class AnatomyInference {
              std::string(anatomy_.other_joints.empty() ? ""
                                                        : "; " + std::to_string(anatomy_.other_joints.size()) +
                                                              " other joints are above the palm or too short"),
-         0.5 + found.chain_margin / 2, "palm_link");
+         0.4 + 0.6 * found.chain_margin, "palm_link");
   }
 
   void find_tips() {
@@ -151,8 +151,9 @@ class AnatomyInference {
     const Thumb thumb = find_thumb(postures_, mean_length_);
     anatomy_.thumb = thumb.finger;
     note("thumb", thumb.finger < 0 ? "none" : describe(thumb.finger),
-         thumb.finger < 0 ? "no finger stands apart from a row of like fingers"
-                          : "without it the others are most alike in direction, closing side and place of their roots",
+         thumb.finger < 0
+             ? "no finger stands apart from a row of like fingers"
+             : "without it the others are most alike in direction, closing side and place of their knuckles",
          thumb.confidence, "handedness");
 
     PalmNormal found = find_palm_normal(postures_, thumb.finger);

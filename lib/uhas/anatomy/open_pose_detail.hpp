@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "uhas/anatomy/finger_motion_detail.hpp"
+#include "uhas/anatomy/flexion_detail.hpp"
 
 namespace uhas {
 

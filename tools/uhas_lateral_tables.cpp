@@ -33,9 +33,12 @@ void print(const BuildStages& stages) {
   }
   table.print(std::cout);
   std::cout << "Angles are in degrees; from and to are relative to the azimuth at neutral.\n";
+  std::vector<std::string> without;
   for (const int i : fingers_by_slot(stages.sphere_frame))
-    if (stages.lateral_tables.table_of_finger[i] < 0)
-      std::cout << stages.sphere_frame.names[i] << " ignores its delta theta: no lateral joint moves its tip.\n";
+    if (stages.lateral_tables.table_of_finger[i] < 0) without.push_back(stages.sphere_frame.names[i]);
+  if (!without.empty())
+    std::cout << "Delta theta is ignored, for want of a lateral joint that moves the tip: " << join(without, ", ")
+              << '\n';
 }
 
 ExitCode run(Tool& tool) {

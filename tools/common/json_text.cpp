@@ -29,6 +29,8 @@ std::string one_line(const Json& value) {
   return value.is_object() ? "{" + text + "}" : "[" + text + "]";
 }
 
+/// Appends `value` in one line when it fits or is a list of numbers or words, else one element a line. `split` demands the
+/// latter, for the document as a whole.
 void append(const Json& value, std::size_t indent, bool split, std::string& out) {
   if (!split) {
     const std::string line = one_line(value);
@@ -49,8 +51,7 @@ void append(const Json& value, std::size_t indent, bool split, std::string& out)
   out += "\n" + std::string(indent, ' ') + (value.is_object() ? "}" : "]");
 }
 
-/// The part of nlohmann's message that says what is wrong: after "[json.exception...] parse error at line 1, column 2:
-/// ".
+/// The part of nlohmann's message that says what is wrong, without the exception's name and the place.
 std::string problem_of(const nlohmann::json::exception& error) {
   const std::string text = error.what();
   const std::size_t place = text.find("column ");

@@ -47,8 +47,11 @@ void print_fingers(std::ostream& out, const HandProfile& profile) {
                    std::to_string(points_of_finger(profile, finger))});
   }
   table.print(out);
+  std::vector<std::string> without;
   for (const ProfileFinger& finger : profile.fingers)
-    if (finger.lateral_table < 0) out << finger.name << " ignores its delta theta: no lateral joint moves its tip.\n";
+    if (finger.lateral_table < 0) without.push_back(finger.name);
+  if (!without.empty())
+    out << "Delta theta is ignored, for want of a lateral joint that moves the tip: " << join(without, ", ") << '\n';
 }
 
 void print_joints(std::ostream& out, const HandProfile& profile, bool with_poses) {

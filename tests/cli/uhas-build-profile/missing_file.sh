@@ -1,0 +1,1 @@
+uhas-build-profile hand/missing.urdf; code=$?; ls; exit $code

@@ -1,0 +1,1 @@
+echo hello > hand.urdf; uhas-build-profile hand.urdf

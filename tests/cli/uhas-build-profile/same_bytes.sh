@@ -1,0 +1,1 @@
+uhas-build-profile --quiet hand/allegro_right.urdf && cmp allegro_right.h5 profile/allegro_right.h5

@@ -1,0 +1,1 @@
+uhas-build-profile hand/allegro_right.urdf -o no/such/folder/hand.h5

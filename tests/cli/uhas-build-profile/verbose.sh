@@ -1,0 +1,1 @@
+uhas-build-profile hand/allegro_right.urdf --verbose -o hand.h5 > /dev/null

@@ -1,0 +1,1 @@
+uhas-build-profile hand/allegro_right.urdf --package NAME

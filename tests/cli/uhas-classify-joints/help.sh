@@ -1,0 +1,1 @@
+uhas-classify-joints --help

@@ -1,0 +1,1 @@
+uhas-classify-joints hand/allegro_right.urdf

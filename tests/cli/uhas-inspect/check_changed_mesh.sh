@@ -1,0 +1,3 @@
+cp -rL hand copy
+echo "# changed" >> copy/meshes/palm.obj
+uhas-inspect profile/allegro_right.h5 --check copy/allegro_right.urdf

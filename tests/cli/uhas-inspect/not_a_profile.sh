@@ -1,0 +1,1 @@
+echo hello > hand.h5; uhas-inspect hand.h5

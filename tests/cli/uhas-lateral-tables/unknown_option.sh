@@ -1,0 +1,1 @@
+uhas-lateral-tables hand/allegro_right.urdf --jsno

@@ -1,0 +1,1 @@
+uhas-project-surface hand/allegro_right.urdf | head -n 2

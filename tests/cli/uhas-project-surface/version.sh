@@ -1,0 +1,1 @@
+uhas-project-surface --version

@@ -1,0 +1,3 @@
+# a sphere of no size closes every finger
+echo '{"format": "uhas-actions", "version": 1, "profile": "profile/allegro_right.h5", "actions": [{"lateral": [0,0,0,0,0], "radial": [[-2,-2],[-2,-2],[-2,-2],[-2,-2],[-2,-2]]}]}' > actions.json
+uhas-solve actions.json | grep -v '"q"'

@@ -1,0 +1,2 @@
+echo '{"format": "uhas-actions", "version": 1, "actions": []}' > actions.json
+uhas-solve actions.json

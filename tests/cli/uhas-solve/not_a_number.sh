@@ -1,0 +1,7 @@
+cat > actions.json <<'END'
+{"format": "uhas-actions", "version": 1, "profile": "profile/allegro_right.h5",
+ "actions": [[NaN]]}
+END
+uhas-solve actions.json -o solution.json
+code=$?
+test ! -e solution.json && exit $code

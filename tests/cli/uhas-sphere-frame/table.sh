@@ -1,0 +1,1 @@
+uhas-sphere-frame hand/allegro_right.urdf

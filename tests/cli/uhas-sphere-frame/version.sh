@@ -1,0 +1,1 @@
+uhas-sphere-frame --version

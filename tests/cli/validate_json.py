@@ -1,0 +1,108 @@
+#!/usr/bin/env python3
+"""Validates the JSON that every tool writes, and the JSON files in this repository, against schemas/."""
+import argparse
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import jsonschema
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+HAND = ROOT / "hands" / "allegro_right" / "allegro_right.urdf"
+
+ACTIONS = {
+    "format": "uhas-actions", "version": 1, "profile": "hand.h5", "driving_vectors_phi": [1.0, 2.0], "normalized": False,
+    "actions": [[0.0] * 15, [0.0] * 5 + [-2.0] * 10, {"lateral": [0.1] * 5, "radial": [[0.2, -0.2]] * 5}],
+}
+WRONG_ACTIONS = [
+    {"format": "uhas-actions", "version": 1, "actions": [[0.0] * 14]},
+    {"format": "uhas-actions", "version": 1, "actions": [["0"] * 15]},
+    {"format": "uhas-actions", "version": 1, "actions": [], "extra": 1},
+]
+
+
+def load_schemas():
+    schemas = {}
+    for path in sorted((ROOT / "schemas").glob("*.schema.json")):
+        schema = json.loads(path.read_text())
+        jsonschema.Draft202012Validator.check_schema(schema)
+        schemas[path.name.removesuffix(".schema.json")] = jsonschema.Draft202012Validator(schema)
+    return schemas
+
+
+def refuse_constant(name):
+    raise ValueError(f"{name} is not JSON")
+
+
+def parse(text):
+    """JSON without the NaN and Infinity that Python would let pass."""
+    return json.loads(text, parse_constant=refuse_constant)
+
+
+def tool_documents(bin_dir, folder):
+    """(schema, label, document) of everything that the tools write."""
+    profile, points, actions = folder / "hand.h5", folder / "points.json", folder / "actions.json"
+    actions.write_text(json.dumps(ACTIONS))
+
+    def run(tool, *arguments, **options):
+        return subprocess.run([bin_dir / tool, *map(str, arguments)], check=True, capture_output=True, text=True, **options).stdout
+
+    commands = [
+        ("profile-summary", "uhas-build-profile", [HAND, "-o", profile, "--json"]),
+        ("profile-summary", "uhas-inspect", [profile, "--json"]),
+        ("profile-check", "uhas-inspect", [profile, "--validate", "--check", HAND, "--json"]),
+        ("sphere-frame", "uhas-sphere-frame", [HAND, "--json"]),
+        ("joint-classes", "uhas-classify-joints", [HAND, "--json"]),
+        ("lateral-tables", "uhas-lateral-tables", [HAND, "--json"]),
+        ("surface-hits", "uhas-project-surface", [HAND, "--json", "-o", points]),
+        ("solution", "uhas-solve", [actions]),
+        ("solution", "uhas-solve", [actions, "--closing", "hard", "--rule", "contact", "--field", "field", "--actuated-only"]),
+    ]
+    for schema, tool, arguments in commands:
+        switches = [argument for argument in arguments if str(argument).startswith("-")]
+        yield schema, " ".join([tool, *switches]), parse(run(tool, *arguments))
+    yield "surface-points", "uhas-project-surface -o", parse(points.read_text())
+
+    lines = "".join(json.dumps(action) + "\n" for action in ACTIONS["actions"])
+    whole = parse(run("uhas-solve", actions))
+    streamed = [parse(line) for line in run("uhas-solve", "-", "--profile", profile, input=lines).splitlines()]
+    yield "solution", "uhas-solve - (lines)", dict(whole, solutions=streamed)
+
+
+def repository_documents():
+    for path in sorted([*ROOT.glob("examples/*.json"), *ROOT.glob("hands/configs/*.json")]):
+        document = parse(path.read_text())
+        format_name = document.get("format", "uhas-hand-config" if path.parent.name == "configs" else "")
+        yield format_name.removeprefix("uhas-"), str(path.relative_to(ROOT)), document
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--bin", required=True, type=pathlib.Path, help="folder of the built tools")
+    options = parser.parse_args()
+
+    schemas, used, failed = load_schemas(), {"actions", "hand-config"}, 0
+    with tempfile.TemporaryDirectory() as folder:
+        documents = [*tool_documents(options.bin, pathlib.Path(folder)), *repository_documents(), ("actions", "actions", ACTIONS),
+                     ("hand-config", "hand config", {"palm_link": "palm", "q_open": {"joint": 0.1}})]
+    for name, label, document in documents:
+        used.add(name)
+        problems = [f"{'/'.join(map(str, e.absolute_path)) or 'document'}: {e.message[:200]}" for e in schemas[name].iter_errors(document)]
+        if document.get("format", f"uhas-{name}") != f"uhas-{name}" or (name != "hand-config" and list(document)[:2] != ["format", "version"]):
+            problems.append("does not open with format and version")
+        failed += bool(problems)
+        print(f"{'FAILED' if problems else 'ok':6}  {name:16} {label}", *problems, sep="\n        " if problems else "")
+    for document in WRONG_ACTIONS:
+        if schemas["actions"].is_valid(document):
+            failed += 1
+            print(f"FAILED  the schema accepts {document}")
+    for name in sorted(set(schemas) - used):
+        failed += 1
+        print(f"FAILED  nothing was validated against {name}")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,23 @@
+#include "uhas/profile_builder/build_profile.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace uhas;
+
+TEST_CASE("fingers are ordered by their first slot; the order of equals stays") {
+  SphereFrame frame;
+  frame.slots = {{false, false, false, false, true},  // thumb
+                 {true, true, false, false, false},   // ring
+                 {false, false, false, true, false},  // index
+                 {true, true, false, false, false}};  // pinky, merged with the ring finger
+  CHECK(fingers_by_slot(frame) == std::vector<int>{1, 3, 2, 0});
+}
+
+TEST_CASE("warnings come in the order of the stages") {
+  BuildStages stages;
+  stages.correspondences.warnings = {"fifth"};
+  stages.lateral_tables.warnings = {"third", "fourth"};
+  stages.anatomy.warnings = {"second"};
+  stages.model.warnings = {"first"};
+  CHECK(stage_warnings(stages) == std::vector<std::string>{"first", "second", "third", "fourth", "fifth"});
+}

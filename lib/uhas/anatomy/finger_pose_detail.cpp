@@ -59,7 +59,7 @@ double preferred_value(const Joint& joint, double tolerance, const std::function
   if (flat) return zero_in_middle ? 0 : middle;
   const bool zero_in_range = joint.lower <= 0 && joint.upper >= 0;
   if (zero_in_range && objective(0) >= maximum - tolerance) return 0;
-  return objective(middle) >= maximum - tolerance ? middle : optimum;
+  return objective(middle) >= maximum - tolerance ? middle : clamp_to_limits(joint, optimum);
 }
 
 void pose_finger(const Anatomy& anatomy, const FingerAnatomy& finger, std::span<const double> q, FingerPose& pose) {

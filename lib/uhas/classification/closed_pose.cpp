@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
-#include "uhas/base/errors.hpp"
+#include "uhas/anatomy/config_names.hpp"
 #include "uhas/classification/finger_sweep_detail.hpp"
 #include "uhas/runtime/forward_kinematics.hpp"
 
@@ -38,22 +39,11 @@ double closed_end(const Anatomy& anatomy, const SphereFrame& frame, int joint) {
 }  // namespace
 
 std::vector<double> find_closed_pose(const Anatomy& anatomy, const SphereFrame& frame, const HandConfig& config) {
+  const std::vector<std::optional<double>> stated =
+      resolve_joint_values(anatomy.tree, config.q_closed, config, "q_closed");
   std::vector<double> q_closed(anatomy.tree.joints.size());
-  for (int i = 0; i < static_cast<int>(q_closed.size()); ++i) {
-    const Joint& joint = anatomy.tree.joints[i];
-    if (joint.mimic_master >= 0) continue;
-    const auto stated = config.q_closed.find(joint.name);
-    if (stated != config.q_closed.end() && !(stated->second >= joint.lower && stated->second <= joint.upper))
-      throw Error(ErrorCode::invalid_config, "", "q_closed of joint '" + joint.name + "' lies outside the joint's limits",
-                  "choose a value within them");
-    q_closed[i] = stated != config.q_closed.end() ? stated->second : closed_end(anatomy, frame, i);
-  }
-  for (const auto& [name, value] : config.q_closed) {
-    const auto named = [&](const Joint& joint) { return joint.name == name && joint.mimic_master < 0; };
-    if (std::none_of(anatomy.tree.joints.begin(), anatomy.tree.joints.end(), named))
-      throw Error(ErrorCode::invalid_config, "", "q_closed names '" + name + "', which is no independent joint of a finger",
-                  "name a joint of the URDF");
-  }
+  for (int i = 0; i < static_cast<int>(q_closed.size()); ++i)
+    if (anatomy.tree.joints[i].mimic_master < 0) q_closed[i] = stated[i] ? *stated[i] : closed_end(anatomy, frame, i);
   apply_mimics(anatomy.tree, q_closed);
   return q_closed;
 }

@@ -82,14 +82,15 @@ def problem_in_lib(room, path, quoted, header):
 
 
 def problem_outside(place, quoted, header):
-    """What is wrong with this include in tools or tests, or None. Private headers are open to tests, to try them alone, and
-    to tools."""
+    """What is wrong with this include in tools or tests, or None. Private headers are open to tests, to try them alone."""
     if header.startswith("uhas/"):
         if not quoted:
             return 'write "uhas/<room>/<file>.hpp"'
         room = header.split("/")[1]
         if room not in ROOMS:
             return f"there is no room {room}"
+        if place == "tools" and "_detail." in header:
+            return f"a private header of {room}"
     elif place == "tools" and header.startswith(("support/", "tests/")):
         return "tools must not include tests"
     return None
@@ -147,6 +148,7 @@ PLANTED = [
     ("lib/uhas/profile_builder/build_profile.cpp", '"support/toy_hand.hpp"', True),
     ("lib/uhas/attic/attic.cpp", "<vector>", True),
     ("tools/uhas_solve.cpp", '"uhas/runtime/cascade_solver.hpp"', False),
+    ("tools/uhas_solve.cpp", '"uhas/runtime/moments_detail.hpp"', True),
     ("tools/uhas_solve.cpp", '"support/toy_hand.hpp"', True),
     ("tests/unit/runtime/moments_test.cpp", '"uhas/runtime/moments_detail.hpp"', False),
 ]

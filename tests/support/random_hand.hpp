@@ -17,7 +17,7 @@ struct RandomHand {
   Vector3d normal_root;                          ///< outward palm normal in the root frame
   Handedness handedness = Handedness::none;
   bool has_thumb = false;
-  std::vector<int> slots;                        ///< one a finger: a slot that it owns for certain, or -1
+  std::vector<int> slots;  ///< one a finger: a slot that it owns for certain, or -1
 };
 
 class RandomHandMaker {
@@ -43,7 +43,9 @@ class RandomHandMaker {
   bool chance(double probability) { return uniform(0, 1) < probability; }
   int pick(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
 
-  static Vector3d turned(Vector3d v, Vector3d axis, double angle) { return Rotationd::about(normalized(axis), angle) * v; }
+  static Vector3d turned(Vector3d v, Vector3d axis, double angle) {
+    return Rotationd::about(normalized(axis), angle) * v;
+  }
 
   Joint hinge(Vector3d axis, double lower, double upper) {
     Joint joint;
@@ -58,8 +60,9 @@ class RandomHandMaker {
     int link = 0;
     const int wrists = chance(0.3) ? pick(1, 2) : 0;
     for (int i = 0; i < wrists; ++i) {
-      link = toy_.add_movable("forearm" + std::to_string(i), link, {{}, {0, 0, uniform(0.01, 0.1)}},
-                              hinge(i == 0 ? Vector3d{0, 1, 0} : Vector3d{1, 0, 0}, -uniform(0.2, 0.8), uniform(0.2, 0.8)));
+      link = toy_.add_movable(
+          "forearm" + std::to_string(i), link, {{}, {0, 0, uniform(0.01, 0.1)}},
+          hinge(i == 0 ? Vector3d{0, 1, 0} : Vector3d{1, 0, 0}, -uniform(0.2, 0.8), uniform(0.2, 0.8)));
       if (chance(0.5)) toy_.add_box(link, {}, {0.05, 0.05, 0.05});
     }
     if (chance(0.5)) link = toy_.add_fixed("mount", link, {{}, {0, 0, 0.01}});
@@ -68,8 +71,8 @@ class RandomHandMaker {
   }
 
   /// Adds the joints and links of a finger whose side joint may come after the first flexion joint.
-  void add_finger(const std::string& name, Vector3d root, Vector3d direction, Vector3d closing, int flexions, double length,
-                  int side, double hyperextension, bool tip_frame, bool meshes, bool followers) {
+  void add_finger(const std::string& name, Vector3d root, Vector3d direction, Vector3d closing, int flexions,
+                  double length, int side, double hyperextension, bool tip_frame, bool meshes, bool followers) {
     const Vector3d axis = cross(direction, closing);
     std::vector<std::string> chain;
     int link = palm_, part = 0, master = -1;
@@ -84,7 +87,8 @@ class RandomHandMaker {
     };
     std::vector<double> phalanges;
     double total = 0;
-    for (int i = 0; i < flexions; ++i) phalanges.push_back(uniform(0.7, 1.3) / (1 + 0.4 * i)), total += phalanges.back();
+    for (int i = 0; i < flexions; ++i)
+      phalanges.push_back(uniform(0.7, 1.3) / (1 + 0.4 * i)), total += phalanges.back();
     if (side == 1) add(closing, -uniform(0.2, 0.5), uniform(0.2, 0.5), -1);
     if (side == 3) add(direction, -uniform(0.3, 0.5), uniform(0.3, 0.5), -1);
     for (int i = 0; i < flexions; ++i) {
@@ -95,7 +99,9 @@ class RandomHandMaker {
         if (side == 2) T_next = {{}, 0.1 * length * direction}, add(closing, -uniform(0.2, 0.5), uniform(0.2, 0.5), -1);
       }
       const double thick = 0.2 * phalanx;
-      if (meshes) toy_.add_box(link, phalanx / 2 * direction, Vector3d{thick, thick, thick} + (phalanx - thick) * absolute(direction));
+      if (meshes)
+        toy_.add_box(link, phalanx / 2 * direction,
+                     Vector3d{thick, thick, thick} + (phalanx - thick) * absolute(direction));
       T_next = {{}, phalanx * direction};
     }
     if (tip_frame || !meshes) toy_.add_fixed(name + "_end", link, T_next);
@@ -116,17 +122,17 @@ class RandomHandMaker {
       const Vector3d direction = turned(forward, n, -splay * place);
       const Vector3d closing = turned(n, direction, uniform(-0.1, 0.1));
       const Vector3d root{-arch * place * place, spacing * place, 0.085 - uniform(0, 0.004) * place * place};
-      add_finger("finger" + std::to_string(i) + "_", root, direction, closing, flexions, length * uniform(0.85, 1.1), side,
-                 hyperextension, tips, meshes, followers);
+      add_finger("finger" + std::to_string(i) + "_", root, direction, closing, flexions, length * uniform(0.85, 1.1),
+                 side, hyperextension, tips, meshes, followers);
       hand_.slots.push_back(fingers >= 3 ? 3 - i : -1);
     }
     // The thumb stands aside below the index finger and bends toward the normal, once rolled.
-    const Vector3d direction = normalized(turned(turned(forward, n, -uniform(0.9, 1.8)), forward, uniform(-0.2, 0.3)));
+    const Vector3d direction = normalized(turned(turned(forward, n, -uniform(0.9, 1.6)), forward, uniform(-0.2, 0.3)));
     const Vector3d closing = normalized(orthogonal_part(turned(n, direction, uniform(-0.5, 0.5)), direction));
     const Vector3d root{uniform(-0.015, 0.01), spacing * fingers / 2 * uniform(0.3, 0.9), uniform(0.0, 0.045)};
     const int thumb_side = chance(0.5) ? 3 : pick(0, 3);
-    add_finger("thumb_", root, direction, closing, std::max(2, pick(flexions - 1, flexions)), length * uniform(0.7, 1.0),
-               thumb_side, uniform(0, 0.35), tips, meshes, false);
+    add_finger("thumb_", root, direction, closing, std::max(2, pick(flexions - 1, flexions)),
+               length * uniform(0.7, 1.0), thumb_side, uniform(0, 0.35), tips, meshes, false);
     hand_.slots.push_back(4);
     hand_.handedness = Handedness::right;
     hand_.normal_root = n;

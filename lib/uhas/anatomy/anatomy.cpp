@@ -15,8 +15,17 @@
 namespace uhas {
 namespace {
 
-/// A thumb within 20 degrees of straight ahead or straight against the fingers makes neither a right nor a left hand.
+/// A thumb whose root and tip are within 20 degrees of straight ahead or straight against the fingers makes neither a
+/// right nor a left hand.
 constexpr double kHandedAzimuth = 20 * std::numbers::pi / 180;
+
+double root_azimuth(const PalmPlane& plane, int finger) {
+  const Vector3d p = plane.roots[finger] - plane.center;
+  return std::atan2(dot(p, plane.y), dot(p, plane.x));
+}
+
+/// How far an azimuth is from straight ahead and from straight back (rad).
+double angle_aside(double azimuth) { return std::min(std::abs(azimuth), std::numbers::pi - std::abs(azimuth)); }
 
 class AnatomyInference {
  public:
@@ -62,7 +71,7 @@ class AnatomyInference {
              std::string(anatomy_.other_joints.empty() ? ""
                                                        : "; " + std::to_string(anatomy_.other_joints.size()) +
                                                              " other joints are above the palm or too short"),
-         0.5 + found.chain_margin / 2, "palm_link");
+         0.4 + 0.6 * found.chain_margin, "palm_link");
   }
 
   void find_tips() {
@@ -111,10 +120,17 @@ class AnatomyInference {
       center += flexion_origin(anatomy_, finger, flexions_.back()) / static_cast<double>(count());
       mean_length_ += finger_length(anatomy_, finger) / static_cast<double>(count());
     }
+    for (std::size_t i = 0; i < count(); ++i) find_closing_side(anatomy_, anatomy_.fingers[i], center, flexions_[i]);
+    agree_on_closing_side(anatomy_, flexions_);
+    extend_fingers();
+  }
+
+  /// Straightens every finger for the present values of its side joints.
+  void extend_fingers() {
+    known_base_.clear();
     for (std::size_t i = 0; i < count(); ++i) {
-      find_closing_side(anatomy_, anatomy_.fingers[i], center, flexions_[i]);
       std::vector<double> extended = q_;
-      extend_finger(anatomy_, anatomy_.fingers[i], flexions_[i], extended);
+      known_base_.push_back(extend_finger(anatomy_, anatomy_.fingers[i], flexions_[i], extended));
       for (int joint : anatomy_.fingers[i].joints)
         if (const int variable = variable_of(anatomy_.tree, joint); !held_[variable]) q_[variable] = extended[variable];
     }
@@ -135,19 +151,22 @@ class AnatomyInference {
     const Thumb thumb = find_thumb(postures_, mean_length_);
     anatomy_.thumb = thumb.finger;
     note("thumb", thumb.finger < 0 ? "none" : describe(thumb.finger),
-         thumb.finger < 0 ? "no finger stands apart from a row of like fingers"
-                          : "without it the others are most alike in direction, closing side and place of their roots",
+         thumb.finger < 0
+             ? "no finger stands apart from a row of like fingers"
+             : "without it the others are most alike in direction, closing side and place of their knuckles",
          thumb.confidence, "handedness");
 
     PalmNormal found = find_palm_normal(postures_, thumb.finger);
     if (config_.palm_normal_in_root)
       found.normal = normalized(anatomy_.T_root_palm.rotation.transposed() * *config_.palm_normal_in_root);
-    for (int round = 0; round < rounds; ++round) {
-      q_ = find_open_pose(anatomy_, flexions_, found.normal, q_, held_);
+    for (int round = 0; round < rounds && !config_.palm_normal_in_root; ++round) {
+      q_ = find_open_pose(anatomy_, flexions_, found.normal, Bases::held, q_, held_);
+      extend_fingers();
       postures_ = measure_postures();
-      if (config_.palm_normal_in_root) break;
       found = find_palm_normal(postures_, thumb.finger);
     }
+    q_ = find_open_pose(anatomy_, flexions_, found.normal, Bases::searched, q_, held_);
+    postures_ = measure_postures();
     anatomy_.palm_normal_palm = found.normal;
     anatomy_.q_open = q_;
     note_normal(found);
@@ -167,14 +186,20 @@ class AnatomyInference {
   void note_normal(const PalmNormal& found) {
     if (config_.palm_normal_in_root)
       return note("palm_normal", "as given", "set by the config", 1, "palm_normal_in_root");
+    constexpr double guess = 0.45;  // the angle of the fingers' bases to the palm may be 15 degrees off
     double evidence = 0;
-    for (const Flexion& flexion : flexions_) evidence += flexion.evidence / static_cast<double>(count());
+    bool known = false;
+    for (std::size_t i = 0; i < count(); ++i) {
+      evidence += flexions_[i].evidence / static_cast<double>(count());
+      if (static_cast<int>(i) != anatomy_.thumb && known_base_[i]) known = true;
+    }
+    const double confidence = std::min({found.coherence, 2 * evidence, known ? 1.0 : guess});
     const Vector3d n = anatomy_.T_root_palm.rotation * found.normal;
     const auto number = [](double value) { return std::to_string(value).substr(0, value < 0 ? 6 : 5); };
     note("palm_normal", number(n.x) + " " + number(n.y) + " " + number(n.z) + " in the root frame",
          found.opposing ? "the axis around which opposing fingers close"
                         : "mean direction in which the fingers close, the side of their larger joint ranges",
-         std::min(found.coherence, std::clamp(2 * evidence, 0.0, 1.0)), "palm_normal_in_root");
+         confidence, "palm_normal_in_root");
   }
 
   void note_open_pose() {
@@ -197,8 +222,9 @@ class AnatomyInference {
     double confidence = 1;
     std::string reason = "no thumb";
     if (anatomy_.thumb >= 0) {
-      const double azimuth = measure_palm_plane(anatomy_).azimuth[anatomy_.thumb];
-      const double aside = std::min(std::abs(azimuth), std::numbers::pi - std::abs(azimuth));
+      const PalmPlane plane = measure_palm_plane(anatomy_);
+      const double azimuth = plane.azimuth[anatomy_.thumb];
+      const double aside = std::max(angle_aside(azimuth), angle_aside(root_azimuth(plane, anatomy_.thumb)));
       if (aside >= kHandedAzimuth) anatomy_.handedness = azimuth < 0 ? Handedness::right : Handedness::left;
       reason = anatomy_.handedness == Handedness::none ? "the thumb stands straight against the fingers"
                                                        : "the side of the middle finger on which the open thumb stands";
@@ -228,6 +254,7 @@ class AnatomyInference {
   Anatomy anatomy_;
   double mean_length_ = 0;               ///< of the fingers
   std::vector<Flexion> flexions_;        ///< one a finger
+  std::vector<bool> known_base_;         ///< one a finger: the angle of its base to the palm is no guess
   std::vector<FingerPosture> postures_;  ///< one a finger, at `q_`
   std::vector<double> q_;
   std::vector<bool> held_;  ///< joints whose open value the config sets

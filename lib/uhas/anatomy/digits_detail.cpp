@@ -14,10 +14,10 @@ constexpr double kRowCoherence = 0.8;
 /// A thumb that closes this exactly against two fingers makes a gripper (cosine of 20 degrees).
 constexpr double kOpposed = 0.94;
 
-/// 1 for neighbours in a row: same direction, same closing side, roots side by side; down to -1.
+/// 1 for neighbours in a row: same direction, same closing side, knuckles side by side; down to -1.
 double likeness(const FingerPosture& a, const FingerPosture& b, double finger_length) {
   const Vector3d along = normalized(a.direction + b.direction);
-  const double stagger = std::abs(dot(a.root - b.root, along)) / finger_length;
+  const double stagger = std::abs(dot(a.knuckle - b.knuckle, along)) / finger_length;
   const double side_by_side = 1 - 2 * std::min(1.0, stagger);
   return (dot(a.direction, b.direction) + dot(a.closing, b.closing) + side_by_side) / 3;
 }
@@ -56,29 +56,37 @@ Thumb find_thumb(std::span<const FingerPosture> postures, double finger_length) 
 }
 
 PalmNormal find_palm_normal(std::span<const FingerPosture> postures, int thumb) {
-  Vector3d closing, axis;
+  Vector3d closing, axis, direction;
   int count = 0;
   for (int i = 0; i < static_cast<int>(postures.size()); ++i) {
     if (i == thumb) continue;
     closing += postures[i].closing;
     axis += postures[i].axis;
+    direction += postures[i].direction;
     ++count;
   }
   const double coherence = norm(closing) / count;
   const bool gripper = thumb >= 0 && count < 3 && dot(normalized(axis), postures[thumb].axis) < -kOpposed;
-  if (coherence > kRowCoherence && !gripper) return {normalized(closing), false, coherence};
+  if (coherence > kRowCoherence && !gripper) {
+    // Fingers side by side agree in direction, fingers all around have axes that cancel; else some of them may be a
+    // thumb.
+    const double in_row = norm(direction) / count, around = 1 - norm(axis) / count;
+    return {normalized(closing), false, coherence * std::max(in_row * in_row, around * around)};
+  }
 
   // Opposing fingers swing through the axis they close around: outward, then along it, then inward. Closing direction
   // and finger direction both have a part along the axis, and their other parts cancel when every side counts once.
-  Vector3d sum;
+  // Axes that do not cancel too are no such fingers, and their sum tells little.
+  Vector3d sum, axes;
   double weights = 0;
   for (const FingerPosture& posture : postures) {
     double same_side = 0;
     for (const FingerPosture& other : postures) same_side += std::max(0.0, dot(posture.axis, other.axis));
     sum += (posture.closing + posture.direction) / same_side;
+    axes += posture.axis / same_side;
     weights += 1 / same_side;
   }
-  return {normalized(sum), true, std::min(1.0, norm(sum) / weights)};
+  return {normalized(sum), true, std::min(1.0, norm(sum) / weights) * (1 - norm(axes) / weights)};
 }
 
 int find_middle_finger(std::span<const FingerPosture> postures, int thumb, Vector3d normal) {

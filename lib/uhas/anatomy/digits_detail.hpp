@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "uhas/anatomy/finger_motion_detail.hpp"
+#include "uhas/anatomy/flexion_detail.hpp"
 
 namespace uhas {
 
@@ -20,7 +20,7 @@ Thumb find_thumb(std::span<const FingerPosture> postures, double finger_length);
 struct PalmNormal {
   Vector3d normal;
   bool opposing = false;  ///< the fingers close against each other, as a gripper's
-  double coherence = 0;   ///< 0..1: length of the mean that gave the normal
+  double coherence = 0;   ///< 0..1: how well the fingers agree on it
 };
 
 /// The mean closing direction of fingers that stand in a row; for opposing fingers the axis that they close around.

@@ -59,8 +59,18 @@ class OpenPoseSearch {
     for (const FingerAnatomy& finger : anatomy.fingers) length_.push_back(finger_length(anatomy, finger));
   }
 
-  void open(FingerGroup group, std::vector<double>& q) {
-    std::erase_if(group.variables, [&](int variable) { return held_[variable] || stays_extended(group, variable); });
+  /// The groups of fingers that are opened together, with the variables to find.
+  std::vector<FingerGroup> groups(Bases bases) const {
+    std::vector<FingerGroup> groups = group_fingers(anatomy_);
+    for (FingerGroup& group : groups)
+      std::erase_if(group.variables, [&](int variable) {
+        return held_[variable] || stays_extended(group, variable) ||
+               (bases == Bases::held && is_base_flexion(group, variable));
+      });
+    return groups;
+  }
+
+  void open(const FingerGroup& group, std::vector<double>& q) {
     double best_value = -std::numeric_limits<double>::infinity();
     std::vector<double> best;
     for (std::vector<double>& start : starts(group, q)) {
@@ -68,7 +78,7 @@ class OpenPoseSearch {
       if (value > best_value + kGain) best = start, best_value = value;
     }
     q = best;
-    snap(group, q);
+    settle(group, q);
   }
 
  private:
@@ -140,8 +150,9 @@ class OpenPoseSearch {
     }
   }
 
-  /// Designers put "open" at zero: zero is taken where it costs next to nothing.
-  void snap(const FingerGroup& group, std::vector<double>& q) {
+  /// Designers put "open" at zero: zero is taken where it costs next to nothing, by base flexion joints or by all
+  /// others.
+  void settle(const FingerGroup& group, std::vector<double>& q) {
     double lowest = openness(group, q);
     for (int finger : group.fingers) lowest -= finger == anatomy_.thumb ? kThumbSnapTolerance : kSnapTolerance;
     for (int variable : group.variables) {
@@ -164,9 +175,9 @@ class OpenPoseSearch {
 }  // namespace
 
 std::vector<double> find_open_pose(const Anatomy& anatomy, std::span<const Flexion> flexions, Vector3d normal,
-                                   std::vector<double> q, const std::vector<bool>& held) {
+                                   Bases bases, std::vector<double> q, const std::vector<bool>& held) {
   OpenPoseSearch search(anatomy, flexions, normal, held);
-  for (const FingerGroup& group : group_fingers(anatomy)) search.open(group, q);
+  for (const FingerGroup& group : search.groups(bases)) search.open(group, q);
   return q;
 }
 

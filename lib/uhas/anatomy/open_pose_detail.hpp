@@ -4,15 +4,20 @@
 #include <span>
 #include <vector>
 
-#include "uhas/anatomy/finger_motion_detail.hpp"
+#include "uhas/anatomy/flexion_detail.hpp"
 
 namespace uhas {
 
-/// Joint values that open the hand for the palm normal `normal`.
+/// Whether the search may turn the first flexion joints of fingers. While the palm normal itself is in question it must
+/// not: they would follow any normal.
+enum class Bases { held, searched };
+
+/// Joint values that open the hand for the palm normal `normal`; a joint is put at zero, or else at mid range, where
+/// that costs next to nothing.
 /// @param flexions  one a finger
 /// @param q         where the search begins, fingers extended
 /// @param held      joints of the tree whose value in `q` stays
 std::vector<double> find_open_pose(const Anatomy& anatomy, std::span<const Flexion> flexions, Vector3d normal,
-                                   std::vector<double> q, const std::vector<bool>& held);
+                                   Bases bases, std::vector<double> q, const std::vector<bool>& held);
 
 }  // namespace uhas

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "uhas/anatomy/finger_motion_detail.hpp"
+#include "uhas/anatomy/finger_pose_detail.hpp"
 #include "uhas/base/spherical.hpp"
 
 namespace uhas {

@@ -28,6 +28,23 @@ std::vector<double> clipped_zero(const KinematicTree& tree) {
   return q;
 }
 
+/// Narrows each master's limits until its followers stay within theirs too; a follower that no master value suits is reported.
+void narrow_masters(Anatomy& anatomy) {
+  for (const Joint& follower : anatomy.tree.joints) {
+    if (follower.mimic_master < 0 || follower.mimic_multiplier == 0) continue;
+    Joint& master = anatomy.tree.joints[follower.mimic_master];
+    const auto [low, high] = std::minmax({(follower.lower - follower.mimic_offset) / follower.mimic_multiplier,
+                                          (follower.upper - follower.mimic_offset) / follower.mimic_multiplier});
+    if (std::max(master.lower, low) < std::min(master.upper, high)) {
+      master.lower = std::max(master.lower, low);
+      master.upper = std::min(master.upper, high);
+    } else {
+      anatomy.warnings.push_back("joint '" + follower.name + "' leaves its limits wherever '" + master.name +
+                                 "', which it mimics, stands");
+    }
+  }
+}
+
 }  // namespace
 
 Anatomy make_palm_tree(const HandModel& model, const FingerChains& found) {
@@ -75,6 +92,7 @@ Anatomy make_palm_tree(const HandModel& model, const FingerChains& found) {
   }
   for (Joint& joint : anatomy.tree.joints)
     if (joint.mimic_master >= 0) joint.mimic_master = tree_index[joint.mimic_master];
+  narrow_masters(anatomy);
 
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     const ModelLink& link = model.links[i];

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <functional>
 
 #include "uhas/base/errors.hpp"
 #include "uhas/base/spherical.hpp"
@@ -61,25 +61,54 @@ std::vector<Sample> sweep(const Hand& hand, int joint, int finger, std::vector<d
   return samples;
 }
 
-/// The stretch of samples [first, last] with the widest azimuth range over which the azimuth runs one way, nowhere slower than
-/// 5 % of the sweep's median rate (design 3.6).
-std::pair<int, int> widest_monotone_stretch(std::span<const Sample> samples) {
+/// Rate of the azimuth between neighbouring samples, and the rates' median magnitude.
+struct Rates {
   std::vector<double> rate;
-  for (std::size_t k = 1; k < samples.size(); ++k)
-    rate.push_back((samples[k].theta - samples[k - 1].theta) / (samples[k].q - samples[k - 1].q));
-  std::vector<double> magnitude;
-  for (double r : rate) magnitude.push_back(std::abs(r));
-  std::nth_element(magnitude.begin(), magnitude.begin() + magnitude.size() / 2, magnitude.end());
-  const double least_rate = 0.05 * magnitude[magnitude.size() / 2];
+  double median = 0;
+};
 
-  const auto usable = [&](std::size_t k) { return rate[k] != 0 && std::abs(rate[k]) >= least_rate; };
+Rates rates_of(std::span<const Sample> samples) {
+  Rates rates;
+  std::vector<double> magnitude;
+  for (std::size_t k = 1; k < samples.size(); ++k) {
+    rates.rate.push_back((samples[k].theta - samples[k - 1].theta) / (samples[k].q - samples[k - 1].q));
+    magnitude.push_back(std::abs(rates.rate.back()));
+  }
+  std::nth_element(magnitude.begin(), magnitude.begin() + magnitude.size() / 2, magnitude.end());
+  rates.median = magnitude[magnitude.size() / 2];
+  return rates;
+}
+
+/// Whether the wrap jumps between two samples (an encompassing joint goes over to another contact): halving the interval again
+/// and again leaves most of the step in one half.
+bool jumps(const Hand& hand, int joint, int finger, std::vector<double> q, Sample a, Sample b) {
+  constexpr int halvings = 12;
+  const double step = std::abs(b.theta - a.theta);
+  for (int i = 0; i < halvings; ++i) {
+    q[joint] = (a.q + b.q) / 2;
+    const double azimuth = hand.canonical_azimuth(finger, hand.wrapped(q));
+    const Sample middle{q[joint], a.theta + wrap_angle(azimuth - a.theta)};
+    (std::abs(middle.theta - a.theta) > std::abs(b.theta - middle.theta) ? b : a) = middle;
+  }
+  return std::abs(b.theta - a.theta) > step / 2;
+}
+
+/// The stretch of samples [first, last] with the widest azimuth range over which the azimuth runs one way, nowhere slower than
+/// 5 % of the sweep's median rate (design 3.6), without a step from k to k + 1 of which `jumps(k)`.
+std::pair<int, int> widest_monotone_stretch(std::span<const Sample> samples, const std::function<bool(int k)>& jumps) {
+  const Rates rates = rates_of(samples);
+  const auto usable = [&](int k) {
+    const double magnitude = std::abs(rates.rate[k]);
+    if (magnitude == 0 || magnitude < 0.05 * rates.median) return false;
+    constexpr double suspicious = 3;  // times the median; only such a step can hide a jump that matters
+    return magnitude < suspicious * rates.median || !jumps(k);
+  };
   std::pair<int, int> best{0, 0};
-  for (std::size_t first = 0; first < rate.size();) {
-    std::size_t last = first;
-    while (last < rate.size() && usable(last) && (rate[last] > 0) == (rate[first] > 0)) ++last;
-    const auto extent = [&](int a, int b) { return std::abs(samples[b].theta - samples[a].theta); };
-    if (extent(static_cast<int>(first), static_cast<int>(last)) > extent(best.first, best.second))
-      best = {static_cast<int>(first), static_cast<int>(last)};
+  const auto extent = [&](std::pair<int, int> s) { return std::abs(samples[s.second].theta - samples[s.first].theta); };
+  for (int first = 0; first < static_cast<int>(rates.rate.size());) {
+    int last = first;
+    while (last < static_cast<int>(rates.rate.size()) && (rates.rate[last] > 0) == (rates.rate[first] > 0) && usable(last)) ++last;
+    if (extent({first, last}) > extent(best)) best = {first, last};
     first = std::max(last, first + 1);
   }
   return best;
@@ -115,11 +144,15 @@ void fill_inverse(LateralTable& table) {
 }
 
 /// The table of `joint`, the other lateral joints as in `q`: a first sweep finds the stretch, a second one samples it evenly
-/// about its middle, so that neutral is a sample of its own.
-LateralTable build_table(const Hand& hand, int joint, int finger, const std::vector<double>& q, int steps) {
+/// about its middle, so that neutral is a sample of its own. A table that drives its finger has no jump in it; one that only
+/// says where a joint's neutral is may have, since nobody runs through it.
+LateralTable build_table(const Hand& hand, int joint, int finger, const std::vector<double>& q, int steps, bool drives) {
+  const auto stretch_of = [&](const std::vector<Sample>& samples) {
+    return widest_monotone_stretch(samples, [&](int k) { return drives && jumps(hand, joint, finger, q, samples[k], samples[k + 1]); });
+  };
   const Joint& j = hand.anatomy.tree.joints[joint];
   const std::vector<Sample> whole = sweep(hand, joint, finger, q, j.lower, j.upper, steps);
-  const auto [first, last] = widest_monotone_stretch(whole);
+  const auto [first, last] = stretch_of(whole);
 
   LateralTable table;
   table.joint = joint;
@@ -128,7 +161,7 @@ LateralTable build_table(const Hand& hand, int joint, int finger, const std::vec
     return table;
   }
   const std::vector<Sample> stretch = sweep(hand, joint, finger, q, whole[first].q, whole[last].q, steps | 1);
-  const auto [begin, end] = widest_monotone_stretch(stretch);
+  const auto [begin, end] = stretch_of(stretch);
   const int half = (end - begin) / 2;
   const int middle = begin + half;
   for (int k = middle - half; k <= middle + half; ++k) {
@@ -178,7 +211,7 @@ LateralTables build_lateral_tables(const Anatomy& anatomy, const SphereFrame& fr
   for (int joint = 0; joint < static_cast<int>(anatomy.tree.joints.size()); ++joint) {
     const int finger = finger_of(anatomy, joint);
     if (!hand.is_free_lateral(joint) || finger < 0) continue;
-    LateralTable table = build_table(hand, joint, finger, anatomy.q_open, options.steps);
+    LateralTable table = build_table(hand, joint, finger, anatomy.q_open, options.steps, false);
     q[joint] = table.neutral;
     if (!table.q.empty()) result.tables.push_back(std::move(table));
   }
@@ -193,7 +226,7 @@ LateralTables build_lateral_tables(const Anatomy& anatomy, const SphereFrame& fr
     for (int t = 0; t < static_cast<int>(result.tables.size()); ++t)
       if (finger_of(anatomy, result.tables[t].joint) == f && (driver < 0 || rank(t) > rank(driver))) driver = t;
     if (driver < 0) continue;
-    LateralTable table = build_table(hand, result.tables[driver].joint, f, q, options.steps);
+    LateralTable table = build_table(hand, result.tables[driver].joint, f, q, options.steps, true);
     if (table.q.empty()) continue;
     q[table.joint] = table.neutral;
     const double narrow = std::min(-table.delta_theta_lower, table.delta_theta_upper);

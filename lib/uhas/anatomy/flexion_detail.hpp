@@ -1,38 +1,12 @@
-// How a finger bends: which of its joints flex it, to which side it closes, and how it stands at given joint values.
-// All vectors are in P.
+// How a finger bends: which of its joints flex it, to which side it closes, how it stands when extended.
 #pragma once
 
-#include <functional>
 #include <span>
 #include <vector>
 
-#include "uhas/anatomy/anatomy.hpp"
+#include "uhas/anatomy/finger_pose_detail.hpp"
 
 namespace uhas {
-
-/// Independent joint that decides the value of `joint`: its mimic master, or itself.
-int variable_of(const KinematicTree& tree, int joint);
-
-/// Sets an independent joint and lets its followers follow.
-void set_joint(const KinematicTree& tree, int variable, double value, std::span<double> q);
-
-/// The middle of a joint's range.
-double mid_range(const Joint& joint);
-
-/// The value of `joint` that a designer would call neutral among those that do well: zero when its
-/// `objective` is within `tolerance` of the best of the range; on a flat objective the middle of the range, unless zero
-/// lies near it; else the best value.
-double preferred_value(const Joint& joint, double tolerance, const std::function<double(double)>& objective);
-
-/// Joints of one finger in a pose.
-struct FingerPose {
-  std::vector<Vector3d> origin, axis;  ///< one a joint, root to tip
-  Vector3d tip;
-};
-void pose_finger(const Anatomy& anatomy, const FingerAnatomy& finger, std::span<const double> q, FingerPose& pose);
-
-/// Sum of the distances between the joints and to the tip: the finger's length when straight (m).
-double finger_length(const Anatomy& anatomy, const FingerAnatomy& finger);
 
 /// The joints that bend a finger.
 struct Flexion {
@@ -52,13 +26,18 @@ Vector3d flexion_origin(const Anatomy& anatomy, const FingerAnatomy& finger, con
 /// @param hand_center  mean of the fingers' flexion origins: an extended finger points away from it
 void find_closing_side(const Anatomy& anatomy, const FingerAnatomy& finger, Vector3d hand_center, Flexion& flexion);
 
-/// Extends the finger in `q`: distal flexion joints straight, the first one at the open end of its range or at a zero
-/// near it; other joints keep their values.
-void extend_finger(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion, std::span<double> q);
+/// Fingers that stand side by side along parallel flexion axes close to the same side: they vote, by their evidence.
+void agree_on_closing_side(const Anatomy& anatomy, std::span<Flexion> flexions);
+
+/// Extends the finger in `q`: distal flexion joints straight, the first one at a zero near the open end of its range,
+/// else straight with what comes before it, else just short of the open end; a side joint before it has a say. Other
+/// joints keep their values. Returns false when the first one's value is no more than a guess.
+bool extend_finger(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion, std::span<double> q);
 
 /// A finger as the rest of the hand sees it; unit vectors, orthogonal to each other.
 struct FingerPosture {
   Vector3d root, tip;
+  Vector3d knuckle;    ///< origin of the first flexion joint
   Vector3d direction;  ///< first flexion joint to tip, in the plane of flexion
   Vector3d axis;       ///< flexion axis, turned such that a positive turn closes
   Vector3d closing;    ///< where the tip moves when the finger closes: axis x direction

@@ -1,8 +1,9 @@
-#include "uhas/anatomy/finger_motion_detail.hpp"
+#include "uhas/anatomy/flexion_detail.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <numbers>
+#include <optional>
 
 #include "uhas/runtime/forward_kinematics.hpp"
 
@@ -21,6 +22,11 @@ constexpr double kHyperextension = 0.4;
 /// Where "straight" lies from the open end on when zero does not tell (rad).
 constexpr double kTypicalHyperextension = 0.15;
 
+/// Ranges that differ by this part of their sum tell the closing side.
+constexpr double kClearAsymmetry = 0.3;
+/// A side joint's axis tells how the palm lies when it is within 25 degrees of a right angle to where the finger seems
+/// to be.
+constexpr double kSideAxisDeviation = 0.44;
 /// From this part of the finger's length on, what lies between its root and its first flexion joint is a phalanx too,
 /// and the finger is straight when it continues that.
 constexpr double kShortestMetacarpal = 0.15;
@@ -31,13 +37,6 @@ double flexion_rate(const Anatomy& anatomy, const FingerAnatomy& finger, const F
   const Joint& joint = anatomy.tree.joints[finger.joints[position]];
   const double sense = dot(pose.axis[position], pose.axis[last]) < 0 ? -1.0 : 1.0;
   return sense * (joint.mimic_master >= 0 ? joint.mimic_multiplier : 1.0);
-}
-
-std::vector<double> mid_pose(const KinematicTree& tree) {
-  std::vector<double> q;
-  for (const Joint& joint : tree.joints) q.push_back(mid_range(joint));
-  apply_mimics(tree, q);
-  return q;
 }
 
 /// Straightens the flexion joints beyond the first: from the last inward, each variable puts the tip farthest from the
@@ -67,6 +66,25 @@ std::vector<int> straighten(const Anatomy& anatomy, const FingerAnatomy& finger,
   return set;
 }
 
+/// Closing side and evidence from the ranges to both sides of the `extended` variables' values in `q`.
+void weigh_ranges(const Anatomy& anatomy, const FingerAnatomy& finger, std::span<const double> q,
+                  const std::vector<int>& extended, Flexion& flexion) {
+  FingerPose pose;
+  pose_finger(anatomy, finger, q, pose);
+  double positive = 0, negative = 0;
+  for (int position : flexion.positions) {
+    const int variable = variable_of(anatomy.tree, finger.joints[position]);
+    if (std::find(extended.begin(), extended.end(), variable) == extended.end()) continue;
+    const Joint& joint = anatomy.tree.joints[variable];
+    const double rate = flexion_rate(anatomy, finger, pose, position, flexion.positions.back());
+    const double up = joint.upper - q[variable], down = q[variable] - joint.lower;
+    positive += std::abs(rate) * (rate > 0 ? up : down);
+    negative += std::abs(rate) * (rate > 0 ? down : up);
+  }
+  flexion.closing_sign = positive < negative ? -1 : 1;
+  flexion.evidence = positive + negative > 0 ? std::abs(positive - negative) / (positive + negative) : 0;
+}
+
 /// A jaw closes toward the middle of the hand.
 void find_jaw_closing_side(const FingerPose& pose, Vector3d hand_center, Flexion& flexion) {
   const Vector3d inward = hand_center - pose.tip;
@@ -75,75 +93,23 @@ void find_jaw_closing_side(const FingerPose& pose, Vector3d hand_center, Flexion
   flexion.evidence = norm(inward) > 0 ? std::min(1.0, 2 * std::abs(toward) / norm(inward)) : 0;
 }
 
+/// How far the finger would have to close (rad) for the side joint just before its first flexion joint to turn about
+/// the closing direction or about the finger's own; nothing when it does neither nearly.
+std::optional<double> turn_to_side_axis(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion,
+                                        std::span<const double> q, FingerPose& pose) {
+  constexpr double quarter = std::numbers::pi / 2, across = 0.35;
+  const int side = flexion.positions.front() - 1;
+  const FingerPosture posture = measure_posture(anatomy, finger, flexion, q, pose);
+  const Vector3d axis = pose.axis[side];
+  const bool turns = anatomy.tree.joints[finger.joints[side]].kind != JointKind::prismatic;
+  if (!turns || std::abs(dot(axis, posture.axis)) > across) return std::nullopt;
+  const double angle = std::atan2(dot(axis, posture.closing), dot(axis, posture.direction));
+  const double turn = std::remainder(angle, quarter);
+  if (std::abs(turn) > kSideAxisDeviation) return std::nullopt;
+  return turn;
+}
+
 }  // namespace
-
-int variable_of(const KinematicTree& tree, int joint) {
-  const int master = tree.joints[joint].mimic_master;
-  return master < 0 ? joint : master;
-}
-
-void set_joint(const KinematicTree& tree, int variable, double value, std::span<double> q) {
-  q[variable] = value;
-  apply_mimics(tree, q);
-}
-
-double mid_range(const Joint& joint) { return (joint.lower + joint.upper) / 2; }
-
-double preferred_value(const Joint& joint, double tolerance, const std::function<double(double)>& objective) {
-  constexpr int samples = 24;
-  constexpr double near_middle = 0.3;  // of half the range
-  const double step = (joint.upper - joint.lower) / samples;
-  int best = 0;
-  std::array<double, samples + 1> value;
-  for (int i = 0; i <= samples; ++i) {
-    value[i] = objective(joint.lower + i * step);
-    if (value[i] > value[best]) best = i;
-  }
-  // Golden-section search between the neighbours of the best sample.
-  double a = joint.lower + std::max(best - 1, 0) * step, b = joint.lower + std::min(best + 1, samples) * step;
-  constexpr double ratio = 0.6180339887498949;
-  double x1 = b - ratio * (b - a), x2 = a + ratio * (b - a), f1 = objective(x1), f2 = objective(x2);
-  for (int i = 0; i < 25; ++i) {
-    if (f1 > f2) {
-      b = x2, x2 = x1, f2 = f1;
-      x1 = b - ratio * (b - a), f1 = objective(x1);
-    } else {
-      a = x1, x1 = x2, f1 = f2;
-      x2 = a + ratio * (b - a), f2 = objective(x2);
-    }
-  }
-  double optimum = f1 > f2 ? x1 : x2, maximum = std::max(f1, f2);
-  if (value[best] >= maximum) optimum = joint.lower + best * step, maximum = value[best];
-
-  const double middle = mid_range(joint);
-  const bool flat = maximum - *std::min_element(value.begin(), value.end()) <= tolerance;
-  const bool zero_in_middle = std::abs(middle) <= near_middle * (joint.upper - joint.lower) / 2;
-  if (flat) return zero_in_middle ? 0 : middle;
-  const bool zero_in_range = joint.lower <= 0 && joint.upper >= 0;
-  if (zero_in_range && objective(0) >= maximum - tolerance) return 0;
-  return objective(middle) >= maximum - tolerance ? middle : optimum;
-}
-
-void pose_finger(const Anatomy& anatomy, const FingerAnatomy& finger, std::span<const double> q, FingerPose& pose) {
-  pose.origin.clear();
-  pose.axis.clear();
-  RigidTransformd T_palm_joint;
-  for (int index : finger.joints) {
-    const Joint& joint = anatomy.tree.joints[index];
-    const RigidTransformd T_palm_fixed = T_palm_joint * joint.T_parent_joint;
-    pose.origin.push_back(T_palm_fixed.translation);
-    pose.axis.push_back(T_palm_fixed.rotation * joint.axis);
-    T_palm_joint = T_palm_fixed * joint_motion(joint, q[index]);
-  }
-  pose.tip = T_palm_joint * (anatomy.links[finger.tip_link].T_joint_link * finger.p_tip_link);
-}
-
-double finger_length(const Anatomy& anatomy, const FingerAnatomy& finger) {
-  double length = norm(anatomy.links[finger.tip_link].T_joint_link * finger.p_tip_link);
-  for (std::size_t i = 1; i < finger.joints.size(); ++i)
-    length += norm(anatomy.tree.joints[finger.joints[i]].T_parent_joint.translation);
-  return length;
-}
 
 Flexion find_flexion(const Anatomy& anatomy, const FingerAnatomy& finger) {
   const auto is_prismatic = [&](int position) {
@@ -185,39 +151,64 @@ void find_closing_side(const Anatomy& anatomy, const FingerAnatomy& finger, Vect
 
   const int first = flexion.positions.front(), last = flexion.positions.back();
   std::vector<int> extended = straighten(anatomy, finger, flexion, q);
-  pose_finger(anatomy, finger, q, pose);
-  const Vector3d outward = orthogonal_part(pose.origin[first] - hand_center, pose.axis[last]);
+  weigh_ranges(anatomy, finger, q, extended, flexion);
   const int variable = variable_of(anatomy.tree, finger.joints[first]);
   const bool is_free = std::find(extended.begin(), extended.end(), variable) == extended.end();
-  if (is_free && norm(outward) > kShortestArm * finger_length(anatomy, finger)) {
-    const double outermost = preferred_value(joints[variable], 0, [&](double value) {
-      set_joint(anatomy.tree, variable, value, q);
-      pose_finger(anatomy, finger, q, pose);
-      return dot(pose.tip - pose.origin[first], outward);
-    });
-    set_joint(anatomy.tree, variable, outermost, q);
-    extended.push_back(variable);
-  }
+  if (flexion.evidence >= kClearAsymmetry || !is_free) return;
 
-  double positive = 0, negative = 0;
-  for (int position : flexion.positions) {
-    const int driver = variable_of(anatomy.tree, finger.joints[position]);
-    if (std::find(extended.begin(), extended.end(), driver) == extended.end()) continue;
-    const double rate = flexion_rate(anatomy, finger, pose, position, last);
-    const double up = joints[driver].upper - q[driver], down = q[driver] - joints[driver].lower;
-    positive += std::abs(rate) * (rate > 0 ? up : down);
-    negative += std::abs(rate) * (rate > 0 ? down : up);
-  }
-  flexion.closing_sign = positive < negative ? -1 : 1;
-  if (positive + negative > 0) flexion.evidence = std::abs(positive - negative) / (positive + negative);
+  // The distal joints do not tell: ask the first one too, which is extended where it points away from the hand.
+  pose_finger(anatomy, finger, q, pose);
+  const Vector3d outward = orthogonal_part(pose.origin[first] - hand_center, pose.axis[last]);
+  if (norm(outward) <= kShortestArm * finger_length(anatomy, finger)) return;
+  const double outermost = preferred_value(joints[variable], 0, [&](double value) {
+    set_joint(anatomy.tree, variable, value, q);
+    pose_finger(anatomy, finger, q, pose);
+    return dot(pose.tip - pose.origin[first], outward);
+  });
+  set_joint(anatomy.tree, variable, outermost, q);
+  extended.push_back(variable);
+  weigh_ranges(anatomy, finger, q, extended, flexion);
 }
 
-void extend_finger(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion, std::span<double> q) {
+void agree_on_closing_side(const Anatomy& anatomy, std::span<Flexion> flexions) {
+  constexpr double side_by_side = 0.7;
+  struct Hinge {
+    Vector3d origin, axis;  // the axis turned such that a positive turn closes
+  };
+  std::vector<Hinge> hinges;
+  const std::vector<double> q = mid_pose(anatomy.tree);
+  FingerPose pose;
+  for (std::size_t i = 0; i < flexions.size(); ++i) {
+    pose_finger(anatomy, anatomy.fingers[i], q, pose);
+    const Vector3d axis = flexions[i].closing_sign * pose.axis[flexions[i].positions.back()];
+    hinges.push_back({pose.origin[flexions[i].positions.front()], axis});
+  }
+  const std::vector<Flexion> before(flexions.begin(), flexions.end());
+  for (std::size_t i = 0; i < flexions.size(); ++i) {
+    if (flexions[i].sliding) continue;
+    double votes = before[i].evidence, voters = 1;
+    for (std::size_t j = 0; j < flexions.size(); ++j) {
+      const Vector3d apart = normalized(hinges[j].origin - hinges[i].origin);
+      const double alike = dot(hinges[i].axis, hinges[j].axis);
+      if (j == i || before[j].sliding || std::abs(alike) < kParallel ||
+          std::abs(dot(apart, hinges[i].axis)) < side_by_side)
+        continue;
+      votes += alike > 0 ? before[j].evidence : -before[j].evidence;
+      ++voters;
+    }
+    if (votes < 0) flexions[i].closing_sign = -before[i].closing_sign;
+    flexions[i].evidence = std::abs(votes) / voters;
+  }
+}
+
+bool extend_finger(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion, std::span<double> q) {
   const std::vector<int> straight = straighten(anatomy, finger, flexion, q);
   const int first = flexion.positions.front();
   const int variable = variable_of(anatomy.tree, finger.joints[first]);
-  if (std::find(straight.begin(), straight.end(), variable) != straight.end()) return;
+  if (std::find(straight.begin(), straight.end(), variable) != straight.end()) return true;
 
+  // Who put zero where the phalanges are straight put it where the base is straight too.
+  const bool zero_is_straight = std::all_of(straight.begin(), straight.end(), [&](int v) { return q[v] == 0; });
   FingerPose pose;
   pose_finger(anatomy, finger, q, pose);
   const Joint& joint = anatomy.tree.joints[variable];
@@ -225,9 +216,10 @@ void extend_finger(const Anatomy& anatomy, const FingerAnatomy& finger, const Fl
   const double open_end = sense > 0 ? joint.lower : joint.upper;
   const double length = finger_length(anatomy, finger);
   double value = open_end;
+  bool is_guess = false;
   if (flexion.sliding) {
     // a jaw is open at the end of its range
-  } else if (std::abs(open_end) <= kHyperextension) {
+  } else if (zero_is_straight && std::abs(open_end) <= kHyperextension) {
     value = clamp_to_limits(joint, 0.0);
   } else if (norm(pose.origin[first] - pose.origin.front()) > kShortestMetacarpal * length) {
     value = preferred_value(joint, kStraightTolerance * length, [&](double candidate) {
@@ -238,8 +230,16 @@ void extend_finger(const Anatomy& anatomy, const FingerAnatomy& finger, const Fl
   } else {
     const double bent_back = std::min(kTypicalHyperextension, (joint.upper - joint.lower) / 4);
     value = open_end + (sense > 0 ? bent_back : -bent_back);
+    is_guess = true;
   }
   set_joint(anatomy.tree, variable, value, q);
+  if (flexion.sliding || first == 0) return !is_guess;
+
+  // A side joint before it turns about the palm normal or about the finger: two estimates are better than one.
+  const std::optional<double> turn = turn_to_side_axis(anatomy, finger, flexion, q, pose);
+  if (!turn) return !is_guess;
+  set_joint(anatomy.tree, variable, clamp_to_limits(joint, value + *turn * (is_guess ? 1 : 0.5) / sense), q);
+  return true;
 }
 
 FingerPosture measure_posture(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion,
@@ -248,7 +248,8 @@ FingerPosture measure_posture(const Anatomy& anatomy, const FingerAnatomy& finge
   FingerPosture posture;
   posture.root = scratch.origin.front();
   posture.tip = scratch.tip;
-  const Vector3d along = scratch.tip - scratch.origin[flexion.positions.front()];
+  posture.knuckle = scratch.origin[flexion.positions.front()];
+  const Vector3d along = posture.tip - posture.knuckle;
   const Vector3d axis = flexion.closing_sign * scratch.axis[flexion.positions.back()];
   posture.direction = normalized(orthogonal_part(along, axis));
   if (flexion.sliding) {

@@ -1,0 +1,33 @@
+# The Debian packages that uhas needs, in one place, and how to install those that are missing. Sourced by bash scripts.
+
+uhas_build_packages=(
+  g++ cmake ninja-build
+  libeigen3-dev libhdf5-dev                              # runtime
+  liburdfdom-dev libconsole-bridge-dev libtinyxml-dev    # URDF
+  libassimp-dev libembree-dev nlohmann-json3-dev         # meshes, rays, hand configs
+  libcli11-dev                                           # tools
+)
+
+uhas_test_packages=(
+  doctest-dev
+  liborocos-kdl-dev libnlopt-cxx-dev libnlopt-dev        # independent kinematics and optimiser
+  python3 python3-numpy python3-h5py python3-jsonschema  # second reader of the profile, schema validator
+)
+
+# install_missing PACKAGE...: installs those that are not there and asks nothing; does not touch the network when all are.
+install_missing() {
+  if ! command -v apt-get > /dev/null; then
+    echo "not a Debian system: the packages $* are expected to be there under their names on this one" >&2
+    return
+  fi
+  local package missing=() as_root=()
+  for package in "$@"; do
+    dpkg-query --show --showformat '${db:Status-Status}\n' "$package" 2> /dev/null | grep -qx installed ||
+      missing+=("$package")
+  done
+  ((${#missing[@]})) || return 0
+  ((EUID == 0)) || as_root=(sudo)
+  echo "installing ${missing[*]}" >&2
+  "${as_root[@]}" apt-get -q update >&2
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -y --no-install-recommends install "${missing[@]}" >&2
+}

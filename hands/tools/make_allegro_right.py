@@ -19,10 +19,11 @@ FOLDER = pathlib.Path(__file__).resolve().parent.parent / "allegro_right"
 
 # ---- kinematics: metres and radians; x out of the palm, y towards the index finger, z along the fingers
 
-# joint, parent link, child link, origin xyz, origin rpy, axis, lower, upper
+# finger -> origin of its first joint in the palm: xyz, rpy
 FINGER_ROOTS = {"index": ("0 0.0435 -0.001542", "-0.0872664626 0 0"),
                 "middle": ("0 0 0.0007", "0 0 0"),
                 "ring": ("0 -0.0435 -0.001542", "0.0872664626 0 0")}
+# axis, lower and upper limit of joints 0 to 3
 FINGER_JOINTS = [("0 0 1", -0.47, 0.47), ("0 1 0", -0.196, 1.61), ("0 1 0", -0.174, 1.709), ("0 1 0", -0.227, 1.618)]
 FINGER_LENGTHS = [0.0164, 0.054, 0.0384, 0.0387]  # of links 0 to 3, from joint to next joint or to the tip
 

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace uhas::test {
@@ -28,6 +29,14 @@ class ScratchFolder {
 
   const std::filesystem::path& path() const { return path_; }
   std::string file(const std::string& name) const { return (path_ / name).string(); }
+
+  /// Writes a file, and the folders above it. Returns its full path.
+  std::string write(const std::string& name, std::string_view content) const {
+    const std::filesystem::path written = path_ / name;
+    std::filesystem::create_directories(written.parent_path());
+    std::ofstream(written, std::ios::binary) << content;
+    return written.string();
+  }
 
   std::size_t entry_count() const {
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path_), {}));

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "uhas/base/errors.hpp"
-#include "uhas/profile_io/file_bytes_detail.hpp"
+#include "uhas/base/file_bytes.hpp"
 
 namespace uhas::tools {
 namespace {
@@ -97,7 +97,7 @@ Json parse_json(std::string_view text, const std::string& file) {
 }
 
 Json read_json_file(const std::string& path, std::uint64_t max_bytes) {
-  const std::vector<std::byte> bytes = detail::read_file(path, max_bytes);
+  const std::vector<std::byte> bytes = read_file(path, max_bytes);
   return parse_json({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path);
 }
 

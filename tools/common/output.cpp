@@ -3,7 +3,7 @@
 #include <iostream>
 #include <span>
 
-#include "uhas/profile_io/file_bytes_detail.hpp"
+#include "uhas/base/file_bytes.hpp"
 
 namespace uhas::tools {
 
@@ -11,7 +11,7 @@ void write_result(const std::string& path, const std::string& text) {
   if (path.empty() || path == "-")
     std::cout << text;
   else
-    detail::replace_file(path, std::as_bytes(std::span(text)));
+    replace_file(path, std::as_bytes(std::span(text)));
 }
 
 }  // namespace uhas::tools

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "uhas/base/errors.hpp"
+#include "uhas/base/file_bytes.hpp"
 #include "uhas/model/link_order_detail.hpp"
 #include "uhas/model/mesh_path_detail.hpp"
 #include "uhas/model/mesh_reader_detail.hpp"
@@ -190,7 +191,7 @@ HandModel load_hand_model(const std::string& urdf_path, const LoadOptions& optio
   if (urdf_path.ends_with(".xacro"))
     throw Error(ErrorCode::syntax, urdf_path, "this is a xacro file, not a URDF",
                 "expand it first: xacro " + urdf_path + " > hand.urdf");
-  const detail::FileBytes bytes = detail::read_file(urdf_path, options.max_urdf_bytes);
+  const std::vector<std::byte> bytes = read_file(urdf_path, options.max_urdf_bytes);
   const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   const detail::Urdf urdf = detail::read_urdf(text, urdf_path);
   const std::vector<detail::OrderedLink> order = detail::order_links(urdf, urdf_path);

@@ -17,6 +17,7 @@
 #include <string_view>
 
 #include "uhas/base/errors.hpp"
+#include "uhas/base/file_bytes.hpp"
 #include "uhas/model/gltf_bounds_detail.hpp"
 #include "uhas/model/ply_reader_detail.hpp"
 #include "uhas/model/xml_bounds_detail.hpp"
@@ -43,7 +44,7 @@ class MeshFiles : public Assimp::IOSystem {
   MeshFiles(fs::path mesh, std::string reference, const LoadOptions& options, SourceLog& sources)
       : mesh_(std::move(mesh)), reference_(std::move(reference)), options_(options), sources_(sources) {}
 
-  const FileBytes& mesh_bytes() { return content(mesh_); }
+  const std::vector<std::byte>& mesh_bytes() { return content(mesh_); }
 
   bool Exists(const char* file) const override {
     std::error_code ignored;
@@ -52,7 +53,7 @@ class MeshFiles : public Assimp::IOSystem {
   char getOsSeparator() const override { return '/'; }
   Assimp::IOStream* Open(const char* file, const char*) override {
     if (!Exists(file)) return nullptr;
-    const FileBytes& bytes = content(file);
+    const std::vector<std::byte>& bytes = content(file);
     return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
   }
   void Close(Assimp::IOStream* stream) override { delete stream; }
@@ -62,7 +63,7 @@ class MeshFiles : public Assimp::IOSystem {
     return file == mesh_ || (lower_case_extension(mesh_) == "gltf" && lower_case_extension(file) == "bin");
   }
 
-  const FileBytes& content(const fs::path& file) {
+  const std::vector<std::byte>& content(const fs::path& file) {
     const auto [entry, is_new] = contents_.try_emplace(file);
     if (is_new) {
       entry->second = read_file(file, options_.max_mesh_bytes);
@@ -76,7 +77,7 @@ class MeshFiles : public Assimp::IOSystem {
   std::string reference_;
   const LoadOptions& options_;
   SourceLog& sources_;
-  std::map<fs::path, FileBytes> contents_;
+  std::map<fs::path, std::vector<std::byte>> contents_;
 };
 
 // Leaves in `importer` only the readers of that file extension.
@@ -196,7 +197,7 @@ TriangleMesh read_mesh(const fs::path& path, const std::string& reference, const
                 "convert it to STL, OBJ, DAE, PLY, GLB or glTF");
 
   auto files = std::make_unique<MeshFiles>(path, reference, options, sources);
-  const FileBytes& bytes = files->mesh_bytes();
+  const std::vector<std::byte>& bytes = files->mesh_bytes();
   if (bytes.empty()) throw Error(ErrorCode::invalid_mesh, path, "the mesh file is empty", "export the mesh again");
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   if (extension == "dae") check_xml_bounds(text, path);

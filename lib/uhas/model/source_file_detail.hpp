@@ -1,4 +1,4 @@
-// Reading a whole file, with a bound on its size and a record of its bytes.
+// A record of the files that a model was read from.
 #pragma once
 
 #include <cstddef>
@@ -11,12 +11,6 @@
 #include "uhas/profile/hand_profile.hpp"
 
 namespace uhas::detail {
-
-using FileBytes = std::vector<std::byte>;
-
-/// The bytes of a regular file.
-/// Throws Error: file_unreadable when it is missing, no regular file or not readable; limit_exceeded above `max_bytes`.
-FileBytes read_file(const std::filesystem::path& path, std::uint64_t max_bytes);
 
 /// The files a model was read from, each once, in order of use.
 class SourceLog {

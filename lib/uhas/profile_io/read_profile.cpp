@@ -1,13 +1,13 @@
 #include "uhas/profile_io/read_profile.hpp"
 
-#include "uhas/profile_io/file_bytes_detail.hpp"
+#include "uhas/base/file_bytes.hpp"
 #include "uhas/profile_io/profile_image_detail.hpp"
 #include "uhas/profile_io/user_block_detail.hpp"
 
 namespace uhas {
 
 HandProfile read_profile(const std::string& path) {
-  const std::vector<std::byte> bytes = detail::read_file(path, detail::kMaxProfileBytes);
+  const std::vector<std::byte> bytes = read_file(path, detail::kMaxProfileBytes);
   const detail::FormatVersion version = detail::check_user_block(bytes, path);
   return detail::profile_of_image(bytes, version, path);
 }

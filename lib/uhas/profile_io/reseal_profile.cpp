@@ -1,20 +1,20 @@
 #include "uhas/profile_io/reseal_profile.hpp"
 
-#include "uhas/profile_io/file_bytes_detail.hpp"
+#include "uhas/base/file_bytes.hpp"
 #include "uhas/profile_io/profile_error_detail.hpp"
 #include "uhas/profile_io/profile_image_detail.hpp"
 
 namespace uhas {
 
 void reseal_profile(const std::string& path) {
-  std::vector<std::byte> bytes = detail::read_file(path, detail::kMaxProfileBytes);
+  std::vector<std::byte> bytes = read_file(path, detail::kMaxProfileBytes);
   const std::optional<detail::FormatVersion> version = detail::stated_version(bytes);
   if (!version || bytes.size() <= detail::kUserBlockBytes)
     throw detail::profile_error(path, "this is not a hand profile: it does not begin with 'uhas-hand-profile'");
   detail::write_user_block(bytes, *version);
   detail::check_user_block(bytes, path);  // of a version that this library reads
   detail::profile_of_image(bytes, *version, path);
-  detail::replace_file(path, bytes);
+  replace_file(path, bytes);
 }
 
 }  // namespace uhas

@@ -1,7 +1,7 @@
 #include "uhas/profile_io/write_profile.hpp"
 
 #include "uhas/base/errors.hpp"
-#include "uhas/profile_io/file_bytes_detail.hpp"
+#include "uhas/base/file_bytes.hpp"
 #include "uhas/profile_io/profile_image_detail.hpp"
 
 namespace uhas {
@@ -12,7 +12,7 @@ void write_profile(const HandProfile& profile, const std::string& path) {
   if (image.size() > detail::kMaxProfileBytes)
     throw Error(ErrorCode::limit_exceeded, path, "the profile would have " + std::to_string(image.size()) + " bytes",
                 "build it with fewer samples");
-  detail::replace_file(path, image);
+  replace_file(path, image);
 }
 
 }  // namespace uhas

@@ -2,16 +2,16 @@
 
 #include <doctest/doctest.h>
 
-#include "support/temporary_folder.hpp"
+#include "support/scratch_folder.hpp"
 #include "uhas/base/errors.hpp"
 
 using namespace uhas;
-using uhas::test::TemporaryFolder;
+using uhas::test::ScratchFolder;
 
 namespace {
 
 HandConfig read(const std::string& text) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   return read_hand_config(folder.write("hand.json", text));
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 /// The palm's mesh of a model whose palm holds `palm_content`; `content` is written to the file `name` beside the URDF.
 TriangleMesh palm_mesh(const std::string& name, const std::string& content, const std::string& palm_content) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   folder.write(name, content);
   return load_hand_model(folder.write("hand.urdf", one_finger(palm_content))).links[0].mesh;
 }
@@ -50,7 +50,7 @@ TEST_CASE("every mesh format gives the same triangles") {
 }
 
 TEST_CASE("glTF reads its buffer, and both files are sources") {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   folder.write("meshes/a.gltf", gltf(R"("uri":"a.bin")"));
   folder.write("meshes/a.bin", gltf_buffer());
   const HandModel model = load_hand_model(folder.write("hand.urdf", one_finger(visual(mesh("meshes/a.gltf")))));
@@ -102,7 +102,7 @@ TEST_CASE("lines, degenerate triangles and vertices without triangle are dropped
 }
 
 TEST_CASE("inertial elements that urdfdom would refuse cost no geometry, and nothing is printed") {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::string urdf = folder.write(
       "hand.urdf", one_finger("<inertial><mass value=\"1\"/></inertial><!-- no inertia -->" +
                               ("<visual><geometry>" + std::string(small_box) + "</geometry><material/></visual>")));
@@ -185,7 +185,7 @@ TEST_CASE("several visuals of a link are merged") {
 }
 
 TEST_CASE("a mesh in millimetres is a warning that names it and the remedy") {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   folder.write("big.stl", ascii_stl());
   const auto warnings = [&](const std::string& scale) {
     return load_hand_model(folder.write("hand.urdf", one_finger(visual(mesh("big.stl", "scale=\"" + scale + "\"")))))
@@ -230,7 +230,7 @@ TEST_CASE("an index beyond the vertices") {
 }
 
 TEST_CASE("bounds on the bytes of a mesh and on the triangles of a hand") {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   folder.write("a.stl", ascii_stl());
   const std::string urdf = folder.write("hand.urdf", one_finger(visual(mesh("a.stl")) + visual(mesh("a.stl"))));
   LoadOptions options;

@@ -9,7 +9,7 @@ using namespace uhas::test;
 
 namespace {
 
-HandModel load_with_mesh(const TemporaryFolder& folder, const std::string& reference, const LoadOptions& options = {},
+HandModel load_with_mesh(const ScratchFolder& folder, const std::string& reference, const LoadOptions& options = {},
                          const std::string& urdf = "hand.urdf") {
   return load_hand_model(folder.write(urdf, one_finger(visual(mesh(reference)))), options);
 }
@@ -17,7 +17,7 @@ HandModel load_with_mesh(const TemporaryFolder& folder, const std::string& refer
 }  // namespace
 
 TEST_CASE("relative paths, absolute paths and file:// URIs are named relative to the URDF") {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::string file = folder.write("meshes/a b/\xC3\xA4.stl", ascii_stl());
   for (const std::string& reference :
        {std::string("meshes/a b/\xC3\xA4.stl"), std::string("./meshes/a b/\xC3\xA4.stl"), file, "file://" + file}) {
@@ -30,7 +30,7 @@ TEST_CASE("relative paths, absolute paths and file:// URIs are named relative to
 }
 
 TEST_CASE("a URDF in the current folder") {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   folder.write("a.stl", ascii_stl());
   folder.write("hand.urdf", one_finger(visual(mesh("a.stl")) +
                                        visual(mesh("package://" + folder.path().filename().string() + "/a.stl"))));
@@ -44,14 +44,14 @@ TEST_CASE("a URDF in the current folder") {
 }
 
 TEST_CASE("a mesh used twice is one source") {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   folder.write("a.stl", ascii_stl());
   const std::string both = visual(mesh("a.stl")) + visual(mesh("./a.stl"));
   CHECK(load_hand_model(folder.write("hand.urdf", one_finger(both))).sources.size() == 2);
 }
 
 TEST_CASE("a package is found by the option, by ROS_PACKAGE_PATH and above the URDF, in that order") {
-  const TemporaryFolder folder, elsewhere;
+  const ScratchFolder folder, elsewhere;
   const std::string reference = "package://my_hand/meshes/a.stl";
   unsetenv("ROS_PACKAGE_PATH");
   check_error([&] { load_with_mesh(folder, reference); }, ErrorCode::file_unreadable,
@@ -83,7 +83,7 @@ TEST_CASE("a reference that would need a network is refused") {
 }
 
 TEST_CASE("a symbolic link that leads to itself") {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   std::filesystem::create_symlink(folder.path() / "a.stl", folder.path() / "a.stl");
   check_error([&] { load_with_mesh(folder, "a.stl"); }, ErrorCode::file_unreadable, {"a.stl"});
 }

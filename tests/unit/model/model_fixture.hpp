@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "support/temporary_folder.hpp"
+#include "support/scratch_folder.hpp"
 #include "uhas/base/errors.hpp"
 #include "uhas/model/hand_model.hpp"
 
@@ -51,7 +51,7 @@ inline std::string mesh(const std::string& file, const std::string& attributes =
 }
 
 inline HandModel load(const std::string& urdf, const LoadOptions& options = {}) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   return load_hand_model(folder.write("hand.urdf", urdf), options);
 }
 

@@ -27,7 +27,7 @@ TEST_CASE("a missing file") {
 }
 
 TEST_CASE("a folder instead of a file") {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   check_error([&] { load_hand_model(folder.path()); }, ErrorCode::file_unreadable, {"not a regular file"});
 }
 

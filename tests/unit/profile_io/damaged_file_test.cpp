@@ -87,7 +87,7 @@ TEST_CASE_FIXTURE(Fixture, "other kinds of files are refused") {
 }
 
 TEST_CASE_FIXTURE(Fixture, "what is no readable regular file is refused") {
-  check_error(ErrorCode::file_unreadable, "No such file", [&] { read_profile(folder.file("missing.h5")); });
+  check_error(ErrorCode::file_unreadable, "does not exist", [&] { read_profile(folder.file("missing.h5")); });
   check_error(ErrorCode::file_unreadable, "not a regular file", [&] { read_profile(folder.path().string()); });
   check_error(ErrorCode::file_unreadable, "not a regular file", [&] { read_profile("/dev/zero"); });
 

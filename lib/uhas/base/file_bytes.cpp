@@ -1,4 +1,4 @@
-#include "uhas/profile_io/file_bytes_detail.hpp"
+#include "uhas/base/file_bytes.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -11,7 +11,7 @@
 
 #include "uhas/base/errors.hpp"
 
-namespace uhas::detail {
+namespace uhas {
 namespace {
 
 std::string errno_text() { return std::generic_category().message(errno); }
@@ -110,6 +110,8 @@ std::filesystem::path replaceable_path(const std::string& path) {
 std::vector<std::byte> read_file(const std::string& path, std::uint64_t max_bytes) {
   // without O_NONBLOCK, opening a pipe would wait for a writer
   const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (!file.is_open() && errno == ENOENT)
+    throw Error(ErrorCode::file_unreadable, path, "the file does not exist", "check the path");
   if (!file.is_open()) throw unreadable(path, "cannot be opened: " + errno_text());
   struct stat status {};
   if (::fstat(file.number(), &status) != 0) throw unreadable(path, "cannot be examined: " + errno_text());
@@ -117,7 +119,7 @@ std::vector<std::byte> read_file(const std::string& path, std::uint64_t max_byte
   const auto size = static_cast<std::uint64_t>(status.st_size);
   if (size > max_bytes)
     throw Error(ErrorCode::limit_exceeded, path,
-                "has " + std::to_string(size) + " bytes, more than the " + std::to_string(max_bytes) + " allowed",
+                "has " + std::to_string(size) + " bytes, more than the bound of " + std::to_string(max_bytes),
                 "make sure that it is the right file");
 
   std::vector<std::byte> bytes(size);
@@ -149,4 +151,4 @@ void replace_file(const std::string& path, std::span<const std::byte> bytes) {
     throw write_failed(path, "its folder cannot be synced: " + errno_text());
 }
 
-}  // namespace uhas::detail
+}  // namespace uhas

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace uhas::detail {
+namespace uhas {
 
 /// All bytes of the regular file `path`. Throws Error: file_unreadable; limit_exceeded when it has more than
 /// `max_bytes`.
@@ -18,4 +18,4 @@ std::vector<std::byte> read_file(const std::string& path, std::uint64_t max_byte
 /// Throws Error(write_failed).
 void replace_file(const std::string& path, std::span<const std::byte> bytes);
 
-}  // namespace uhas::detail
+}  // namespace uhas

@@ -2,9 +2,12 @@
 // names or in another order is the same hand, from the anatomy to the solutions.
 #include <doctest/doctest.h>
 
+#include <tinyxml.h>
+
 #include "same_hand.hpp"
 #include "support/model_transforms.hpp"
 #include "support/real_profile.hpp"
+#include "support/scratch_folder.hpp"
 
 using namespace uhas;
 using namespace uhas::test;
@@ -16,6 +19,29 @@ const HandModel& model() { return real_stages().model; }
 void check(HandModel changed, const Relation& relation, const std::string& what) {
   const HandProfile profile = make_profile(run_stages(std::move(changed), {}, Stage::correspondences), {});
   check_same_hand(real_profile(), profile, relation, what);
+}
+
+/// Shuffles the elements inside `parent`, and those inside them.
+void shuffle_elements(TiXmlElement& parent, std::mt19937_64& random) {
+  std::vector<std::unique_ptr<TiXmlNode>> elements;
+  while (TiXmlElement* element = parent.FirstChildElement()) {
+    shuffle_elements(*element, random);
+    elements.emplace_back(element->Clone());
+    parent.RemoveChild(element);
+  }
+  std::shuffle(elements.begin(), elements.end(), random);
+  for (const auto& element : elements) parent.InsertEndChild(*element);
+}
+
+/// Fills `copy` with folders and links like those of `folder`.
+void link_folder(const std::filesystem::path& folder, const std::filesystem::path& copy) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    const std::filesystem::path target = copy / relative(entry.path(), folder);
+    if (entry.is_directory())
+      create_directories(target);
+    else
+      create_symlink(entry.path(), target);
+  }
 }
 
 }  // namespace
@@ -42,6 +68,22 @@ TEST_CASE("axis signs") {
       if (flipped.back()) relation.flipped.insert(joint.name);
     }
     check(with_flipped_axes(model(), flipped), relation, "axes flipped, seed " + std::to_string(seed));
+  }
+}
+
+TEST_CASE("order of elements in the URDF") {
+  const std::filesystem::path folder = std::filesystem::absolute(real_hand().folder);
+  for (const unsigned seed : {1, 2, 3}) {
+    std::mt19937_64 random(seed);
+    const ScratchFolder scratch;
+    link_folder(folder, scratch.path());
+    TiXmlDocument document;
+    REQUIRE(document.LoadFile(real_hand().urdf.string().c_str()));
+    shuffle_elements(*document.RootElement(), random);
+    const std::filesystem::path urdf = scratch.path() / relative(real_hand().urdf, real_hand().folder);
+    std::filesystem::remove(urdf);
+    REQUIRE(document.SaveFile(urdf.string().c_str()));
+    check(load_hand_model(urdf.string()), {}, "elements shuffled, seed " + std::to_string(seed));
   }
 }
 

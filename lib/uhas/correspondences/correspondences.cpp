@@ -58,9 +58,11 @@ std::vector<std::string> missing_links(const HandModel& model, const Anatomy& an
     const ProfileLink& link = anatomy.links[i];
     const bool has_mesh = !model.links[anatomy.model_links[i]].mesh.triangles.empty();
     if (link.joint < 0 || !has_mesh || hits[i].kept > 0) continue;
-    warnings.push_back("link '" + link.name + "' has no correspondence: of the rays from the sphere's centre " +
-                       std::to_string(hits[i].too_far) + " met it too far from the sphere and " +
-                       std::to_string(hits[i].facing_away) + " from behind");
+    const bool unseen = hits[i].too_far == 0 && hits[i].facing_away == 0;
+    warnings.push_back("link '" + link.name + "' has no surface point: " +
+                       (unseen ? std::string("other links hide it from the sphere's centre")
+                               : std::to_string(hits[i].too_far) + " rays from the sphere's centre met it too far from the sphere, " +
+                                     std::to_string(hits[i].facing_away) + " from behind"));
   }
   return warnings;
 }

@@ -18,7 +18,7 @@ std::vector<double> solve_all(CascadeSolver<double> solver, const std::vector<st
   std::vector<double> results, q(solver.joint_count());
   SolveReport report;
   for (const std::vector<double>& action : actions) {
-    const Status status = solver.solve({.values = action, .driving_vectors_phi = {}}, q, report);
+    const Status status = solver.solve({.values = action}, q, report);
     results.push_back(static_cast<double>(status));
     results.insert(results.end(), q.begin(), q.end());
     results.push_back(std::isnan(report.residual_rms) ? -1 : report.residual_rms);

@@ -9,7 +9,7 @@ uhas_build_packages=(
 )
 
 uhas_test_packages=(
-  doctest-dev
+  doctest-dev mandoc
   liborocos-kdl-dev libnlopt-cxx-dev libnlopt-dev        # independent kinematics and optimiser
   python3 python3-numpy python3-h5py python3-jsonschema  # second reader of the profile, schema validator
 )

@@ -97,12 +97,14 @@ def points_in_sphere(profile, q):
 
 def finger_of_point(profile):
     """[N] finger that each correspondence belongs to; -1 = none."""
-    finger_of_joint = {}
-    for finger, joints in enumerate(profile["fingers"]["joints"]):
-        for joint in joints:
-            finger_of_joint.setdefault(joint, finger)
+    theta = profile["correspondences"]["theta"]
     joint_of_point = profile["links"]["joint"][profile["correspondences"]["link"]]
-    return np.array([finger_of_joint.get(joint, -1) for joint in joint_of_point])
+    owner, nearest = np.full(len(theta), -1), np.full(len(theta), np.inf)
+    for finger, (joints, theta_initial) in enumerate(zip(profile["fingers"]["joints"], profile["fingers"]["theta_initial"])):
+        distance = np.abs((theta - theta_initial + np.pi) % (2 * np.pi) - np.pi)
+        nearer = np.isin(joint_of_point, joints) & (distance < nearest)
+        owner[nearer], nearest[nearer] = finger, distance[nearer]
+    return owner
 
 
 def finger_deformation(profile, finger, action, driving_vectors_phi=None, normalized=False):

@@ -39,7 +39,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   if (!std::getenv("UHAS_HANDS_DIR")) {
-    std::cout << "SKIPPED: " << std::getenv("UHAS_HAND") << ": UHAS_HANDS_DIR is not set\n";
+    std::cout << "SKIPPED: UHAS_HANDS_DIR is not set\n";
     return skipped;
   }
   try {

@@ -97,8 +97,8 @@ void print_profile(std::ostream& out, const HandProfile& profile, bool in_full) 
       << ", " << fixed(normal.z, 3) << ") in " << profile.root_link << "\nSphere  radius "
       << millimetres(profile.radius) << " mm, centre (" << millimetres(center.x) << ", " << millimetres(center.y)
       << ", " << millimetres(center.z) << ") mm in " << profile.root_link << "\nPoints  "
-      << profile.correspondences.size() << " on the surface, " << used
-      << " of them used by the solver\nAngles are in degrees.\n\n";
+      << profile.correspondences.size() << " on the surface, palm included; the solver uses " << used
+      << "\nAngles are in degrees.\n\n";
   print_fingers(out, profile);
   out << '\n';
   print_joints(out, profile, in_full);

@@ -163,7 +163,10 @@ LateralTable build_table(const Hand& hand, int joint, int finger, const std::vec
   const std::vector<Sample> stretch = sweep(hand, joint, finger, q, whole[first].q, whole[last].q, steps | 1);
   const auto [begin, end] = stretch_of(stretch);
   const int half = (end - begin) / 2;
-  const int middle = begin + half;
+  // an odd number of steps has no sample in the middle: the slower end goes, whichever way the joint counts
+  const auto speed = [&](int k) { return std::abs(stretch[k + 1].theta - stretch[k].theta); };
+  const int spare = (end - begin) % 2 == 1 && speed(begin) < speed(end - 1) ? 1 : 0;
+  const int middle = begin + spare + half;
   for (int k = middle - half; k <= middle + half; ++k) {
     table.q.push_back(stretch[k].q);
     table.theta.push_back(stretch[k].theta);

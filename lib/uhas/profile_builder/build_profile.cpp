@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "uhas/base/spherical.hpp"
 #include "uhas/profile_builder/settings_json.hpp"
@@ -47,15 +48,18 @@ ProfileFinger profile_finger(const BuildStages& stages, int index) {
 
 BuildStages run_stages(const std::string& urdf_path, const BuildSettings& settings, Stage last,
                        const StageListener& listener) {
+  if (listener) listener("reading the URDF and its meshes");
+  return run_stages(load_hand_model(urdf_path, settings.load), settings, last, listener);
+}
+
+BuildStages run_stages(HandModel model, const BuildSettings& settings, Stage last, const StageListener& listener) {
   BuildStages stages;
+  stages.model = std::move(model);
   const auto begin = [&](Stage stage, const char* name) {
     if (stage > last) return false;
     if (listener) listener(name);
     return true;
   };
-
-  if (!begin(Stage::model, "reading the URDF and its meshes")) return stages;
-  stages.model = load_hand_model(urdf_path, settings.load);
 
   if (!begin(Stage::anatomy, "finding palm and fingers")) return stages;
   stages.anatomy = infer_anatomy(stages.model, settings.config);

@@ -39,6 +39,9 @@ using StageListener = std::function<void(const char* stage)>;
 BuildStages run_stages(const std::string& urdf_path, const BuildSettings& settings, Stage last,
                        const StageListener& listener = {});
 
+/// The same on a model that has been read already.
+BuildStages run_stages(HandModel model, const BuildSettings& settings, Stage last, const StageListener& listener = {});
+
 /// The warnings of every stage that has run, in the order of the stages.
 std::vector<std::string> stage_warnings(const BuildStages& stages);
 

@@ -57,7 +57,7 @@ TEST_CASE("10,000 solves allocate nothing") {
       allocations = 0;
       counting = true;
       for (int n = 0; n < 2500; ++n)
-        refused += solver.solve({.values = actions[n % 100], .driving_vectors_phi = {}}, q, report) != Status::ok;
+        refused += solver.solve({.values = actions[n % 100]}, q, report) != Status::ok;
       counting = false;
       CHECK(allocations == 0);
       CHECK(refused == 50);

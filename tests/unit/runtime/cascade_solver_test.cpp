@@ -17,7 +17,7 @@ namespace {
 std::vector<double> solve(const HandProfile& profile, const std::vector<double>& action, SolveOptions options = {}) {
   CascadeSolver<double> solver(profile, options);
   std::vector<double> q(solver.joint_count());
-  REQUIRE(solver.solve({.values = action, .driving_vectors_phi = {}}, q) == Status::ok);
+  REQUIRE(solver.solve({.values = action}, q) == Status::ok);
   return q;
 }
 
@@ -92,7 +92,7 @@ TEST_CASE("full contraction closes every encompassing joint and reports it") {
     std::vector<std::uint8_t> closed(q.size());
     SolveReport report{.residual_rms = 0, .at_limit = {}, .closed = closed};
     const std::vector<double> action = uniform_action(-2);
-    REQUIRE(solver.solve({.values = action, .driving_vectors_phi = {}}, q, report) == Status::ok);
+    REQUIRE(solver.solve({.values = action}, q, report) == Status::ok);
     for (int joint : {1, 3, 4}) {
       CAPTURE(joint);
       if (closing == Closing::fade) CHECK(q[joint] == profile.joint_traits[joint].q_closed);
@@ -108,7 +108,7 @@ TEST_CASE("the residual of a report is the weighted rms distance") {
   std::vector<double> q(solver.joint_count());
   SolveReport report;
   const std::vector<double> action = uniform_action(0.2);
-  REQUIRE(solver.solve({.values = action, .driving_vectors_phi = {}}, q, report) == Status::ok);
+  REQUIRE(solver.solve({.values = action}, q, report) == Status::ok);
   double weight = 0;
   for (const Correspondence& c : profile.correspondences) weight += profile.links[c.link].joint >= 0 ? c.weight : 0;
   CHECK(report.residual_rms == doctest::Approx(std::sqrt(cost(profile, q, 0, 0.2) / weight)));

@@ -57,7 +57,7 @@ double residual_at_q_sphere(const HandProfile& profile, Deformation index, Defor
 
 int main(int argc, char** argv) {
   if (argc != 2) {
-    std::cerr << "usage: write_crosscheck_case FOLDER\n";
+    std::cerr << "usage: write_small_case FOLDER\n";
     return 2;
   }
   const std::string folder = argv[1];

@@ -95,8 +95,8 @@ TEST_CASE("a plate that faces away has no points, and a warning says so") {
   CHECK(found.hits[1].facing_away == directions_through_plate(20000, 0.02, 0.02));
   REQUIRE(found.warnings.size() == 1);
   CHECK(found.warnings[0].find("'finger'") != std::string::npos);
-  CHECK(found.warnings[0].find("0 met it too far from the sphere and " + std::to_string(found.hits[1].facing_away)) !=
-        std::string::npos);
+  CHECK(found.warnings[0].find("0 rays from the sphere's centre met it too far from the sphere, " +
+                               std::to_string(found.hits[1].facing_away) + " from behind") != std::string::npos);
 }
 
 TEST_CASE("hits beyond the bound on the radius are dropped and counted") {

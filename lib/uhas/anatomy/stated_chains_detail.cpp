@@ -1,7 +1,6 @@
 #include "uhas/anatomy/stated_chains_detail.hpp"
 
 #include <algorithm>
-#include <set>
 #include <string_view>
 
 #include "uhas/anatomy/config_names.hpp"
@@ -28,7 +27,6 @@ int find_stated_palm_link(const HandModel& model, const HandConfig& config) {
 StatedChains find_stated_chains(const HandModel& model, const HandConfig& config) {
   const std::vector<Joint>& joints = model.tree.joints;
   StatedChains stated;
-  std::set<int> last_joints;
   for (const std::vector<std::string>& names : config.fingers) {
     std::vector<int>& chain = stated.chains.emplace_back();
     for (const std::string& name : names) {
@@ -38,8 +36,6 @@ StatedChains find_stated_chains(const HandModel& model, const HandConfig& config
                       "list every joint of a finger, root to tip");
       chain.push_back(joint);
     }
-    if (!last_joints.insert(chain.back()).second)
-      refuse_config(config, kKey, "two fingers end with " + quoted(names.back()), "list each finger once");
   }
   if (stated.chains.size() < 2)
     refuse_config(config, kKey, "a hand has two or more fingers", "list the joints of each");
@@ -52,6 +48,14 @@ StatedChains find_stated_chains(const HandModel& model, const HandConfig& config
                     quoted(joints[first].name) + " and " + quoted(joints[chain.front()].name) +
                         " are not carried by one rigid palm",
                     "begin each finger with the first joint above the palm");
+
+  // fingers may share joints near the palm, but the last joint of each is its own
+  for (const std::vector<int>& chain : stated.chains)
+    if (std::ranges::count_if(stated.chains, [&](const std::vector<int>& other) {
+          return std::ranges::find(other, chain.back()) != other.end();
+        }) > 1)
+      refuse_config(config, kKey, quoted(joints[chain.back()].name) + " ends a finger and is part of another",
+                    "list each finger once, to its last joint");
   return stated;
 }
 

@@ -18,8 +18,8 @@ struct StatedChains {
   int palm_group = -1;                   ///< movable joint that carries every first joint; -1 = the root link's group
 };
 
-/// Throws Error(invalid_config) for an unknown joint, a chain with a gap, chains that begin on different groups, two
-/// chains with one last joint, fewer than two chains.
+/// Throws Error(invalid_config) for an unknown joint, a chain with a gap, chains that begin on different groups, a
+/// last joint that another chain has too, fewer than two chains.
 StatedChains find_stated_chains(const HandModel& model, const HandConfig& config);
 
 }  // namespace uhas

@@ -105,7 +105,8 @@ TEST_CASE("fingers that are none") {
         "hand.json: fingers: \"index_side_joint\" does not carry \"index_2_joint\" directly; "
         "list every joint of a finger, root to tip");
   CHECK(refusal(R"({"fingers": [["index_side_joint"], ["index_side_joint"]]})") ==
-        "hand.json: fingers: two fingers end with \"index_side_joint\"; list each finger once");
+        "hand.json: fingers: \"index_side_joint\" ends a finger and is part of another; "
+        "list each finger once, to its last joint");
   CHECK(refusal(R"({"fingers": [["index_side_joint"]]})") ==
         "hand.json: fingers: a hand has two or more fingers; list the joints of each");
   CHECK(refusal(R"({"fingers": [["index_side_joint"], ["middle_1_joint"]]})") ==

@@ -152,6 +152,19 @@ TEST_CASE("points are sorted by link, only those of links that joints carry have
   CHECK(sum == doctest::Approx(1).epsilon(1e-12));
 }
 
+TEST_CASE("a hand that is neither right nor left has the points of its mirror image, mirrored") {
+  ToyHand hand = toy_hand({}, box({0.01, 0.02, 0.02}, {0.003, 0.007, 0.01})), image = test::mirrored(hand);
+  hand.anatomy.handedness = image.anatomy.handedness = Handedness::none;
+  image.frame.mirrored = false;
+  const Correspondences a = project(hand), b = project(image);
+  REQUIRE(a.points.size() > 100);
+  REQUIRE(a.points.size() == b.points.size());
+  for (const Correspondence& point : a.points)
+    CHECK(std::ranges::any_of(b.points, [&](const Correspondence& other) {
+      return std::abs(other.theta + point.theta) < 1e-12 && std::abs(other.phi - point.phi) < 1e-12;
+    }));
+}
+
 TEST_CASE("a mirrored hand has mirrored points, bit for bit") {
   const ToyHand right =
       toy_hand(box({0.05, 0.04, 0.01}, {0.01, 0.02, 0}), box({0.01, 0.02, 0.02}, {0.003, 0.007, 0.01}));

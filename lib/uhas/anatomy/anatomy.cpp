@@ -25,8 +25,6 @@ double root_azimuth(const PalmPlane& plane, int finger) {
   return std::atan2(dot(p, plane.y), dot(p, plane.x));
 }
 
-constexpr const char* kStated = "stated in the hand config";
-
 std::string count_joints(std::size_t count) { return std::to_string(count) + (count == 1 ? " joint" : " joints"); }
 
 /// The unit vector along `direction`. One that is unit already keeps its bits, so that a written config states what was
@@ -55,12 +53,11 @@ class AnatomyInference {
   }
 
  private:
-  /// Records what was found; `item` is the config key that overrides it. Below 0.5 the user is told to look.
+  /// Records what was found; `item` is the config key that overrides it.
   void note(const std::string& item, const std::string& value, const std::string& reason, double confidence) {
     anatomy_.findings.push_back({item, value, reason, confidence});
-    if (confidence < 0.5)
-      anatomy_.warnings.push_back("doubtful " + item + ": " + value + " (" + reason + "); set \"" + item +
-                                  "\" in a hand config if it is wrong");
+    if (const std::string warning = doubt(anatomy_.findings.back()); !warning.empty())
+      anatomy_.warnings.push_back(warning);
   }
 
   std::size_t count() const { return anatomy_.fingers.size(); }
@@ -91,12 +88,12 @@ class AnatomyInference {
     const FingerChains found = find_finger_chains(model_, config_);
     anatomy_ = make_palm_tree(model_, found, config_);
     if (!config_.joint_limits.empty())
-      note("joint_limits", count_joints(config_.joint_limits.size()) + " narrowed", kStated, 1);
+      note("joint_limits", count_joints(config_.joint_limits.size()) + " narrowed", kStatedInConfig, 1);
     note("palm_link", anatomy_.palm_link,
-         config_.palm_link ? kStated : "the lowest group of links in which all long chains of joints meet",
+         config_.palm_link ? kStatedInConfig : "the lowest group of links in which all long chains of joints meet",
          config_.palm_link ? 1 : found.palm_margin);
     const std::string fingers = std::to_string(count()) + " fingers";
-    if (!config_.fingers.empty()) return note("fingers", fingers, kStated, 1);
+    if (!config_.fingers.empty()) return note("fingers", fingers, kStatedInConfig, 1);
     note("fingers", fingers,
          "branches of movable joints from the palm, each as long as a finger" +
              std::string(anatomy_.other_joints.empty() ? ""
@@ -108,7 +105,7 @@ class AnatomyInference {
   void find_tips() {
     stated_tips_ = find_stated_fingertips(anatomy_, config_);
     double confidence = 1;
-    std::string reason = kStated;
+    std::string reason = kStatedInConfig;
     for (std::size_t i = 0; i < count(); ++i) {
       FingerAnatomy& finger = anatomy_.fingers[i];
       const Fingertip tip = find_fingertip(model_, anatomy_, finger, stated_tips_[i]);
@@ -200,7 +197,7 @@ class AnatomyInference {
     const Thumb found = find_thumb(postures_, mean_length_);
     anatomy_.thumb = config_.thumb ? find_stated_finger(*config_.thumb, "thumb") : found.finger;
     const std::string value = anatomy_.thumb < 0 ? "none" : describe(anatomy_.thumb);
-    if (config_.thumb) return note("thumb", value, kStated, 1);
+    if (config_.thumb) return note("thumb", value, kStatedInConfig, 1);
     note("thumb", value,
          found.finger < 0
              ? "no finger stands apart from a row of like fingers"
@@ -217,9 +214,12 @@ class AnatomyInference {
 
   void note_normal(const PalmNormal& found) {
     const Vector3d n = anatomy_.palm_normal_root;
-    const auto number = [](double component) { return std::to_string(component).substr(0, component < 0 ? 6 : 5); };
+    const auto number = [](double component) {
+      const double rounded = std::round(1000 * component) / 1000 + 0.0;  // never -0
+      return std::to_string(rounded).substr(0, rounded < 0 ? 6 : 5);
+    };
     const std::string value = number(n.x) + " " + number(n.y) + " " + number(n.z);
-    if (config_.palm_normal_in_root) return note("palm_normal_in_root", value, kStated, 1);
+    if (config_.palm_normal_in_root) return note("palm_normal_in_root", value, kStatedInConfig, 1);
     constexpr double guess = 0.45;  // the angle of the fingers' bases to the palm may be 15 degrees off
     double evidence = 0;
     bool known = false;
@@ -242,10 +242,11 @@ class AnatomyInference {
     }
     std::size_t independent = 0;
     for (const Joint& joint : anatomy_.tree.joints) independent += joint.mimic_master < 0 ? 1 : 0;
-    if (config_.q_open.size() == independent) return note("q_open", "fingers extended", kStated, 1);
+    if (config_.q_open.size() == independent) return note("q_open", "fingers extended", kStatedInConfig, 1);
     note("q_open", "fingers extended",
          "each finger straight in the palm plane with its pad toward the palm normal" +
-             (config_.q_open.empty() ? std::string() : "; " + count_joints(config_.q_open.size()) + " " + kStated),
+             (config_.q_open.empty() ? std::string()
+                                     : "; " + count_joints(config_.q_open.size()) + " " + kStatedInConfig),
          std::clamp(openness, 0.0, 1.0));
   }
 
@@ -265,7 +266,7 @@ class AnatomyInference {
     }
     if (config_.handedness) {
       anatomy_.handedness = *config_.handedness;
-      reason = kStated;
+      reason = kStatedInConfig;
       confidence = 1;
     }
     const char* names[] = {"none", "right", "left"};
@@ -279,7 +280,7 @@ class AnatomyInference {
       refuse_config(config_, "middle_finger", describe(anatomy_.thumb) + " is the thumb",
                     "name another finger, or set \"thumb\"");
     note("middle_finger", anatomy_.middle < 0 ? "none" : describe(anatomy_.middle),
-         config_.middle_finger ? kStated
+         config_.middle_finger ? kStatedInConfig
          : anatomy_.middle < 0 ? "a hand without a thumb, or with too few fingers beside it"
                                : "second from the thumb across the palm",
          1);

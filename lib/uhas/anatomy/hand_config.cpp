@@ -208,6 +208,12 @@ json to_json(const StatedFingertip& tip) {
 
 }  // namespace
 
+std::string doubt(const Finding& finding) {
+  if (finding.confidence >= 0.5) return "";
+  return "doubtful " + finding.item + ": " + finding.value + " (" + finding.reason + "); set \"" + finding.item +
+         "\" in a hand config if it is wrong";
+}
+
 HandConfig read_hand_config(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::string text(kMaxBytes + 1, '\0');

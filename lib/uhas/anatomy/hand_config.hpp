@@ -11,6 +11,12 @@
 
 namespace uhas {
 
+/// The reason of a finding whose item the config states.
+inline constexpr const char* kStatedInConfig = "stated in the hand config";
+
+/// The warning about a finding with a confidence below 0.5, which names the key to set; "" for any other.
+std::string doubt(const Finding& finding);
+
 /// The tip of the finger whose last joint carries `link`.
 struct StatedFingertip {
   std::string link;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "uhas/base/spherical.hpp"
+#include "uhas/classification/closed_pose_finding.hpp"
 #include "uhas/profile_builder/settings_json.hpp"
 
 namespace uhas {
@@ -70,6 +71,8 @@ BuildStages run_stages(HandModel model, const BuildSettings& settings, Stage las
   if (!begin(Stage::classification, "classifying joints")) return stages;
   stages.q_closed = find_closed_pose(stages.anatomy, stages.sphere_frame, settings.config);
   stages.joint_classes = classify_joints(stages.anatomy, stages.sphere_frame, stages.q_closed);
+  stages.closed_pose =
+      explain_closed_pose(stages.anatomy, stages.sphere_frame, stages.joint_classes, stages.q_closed, settings.config);
 
   if (!begin(Stage::lateral_tables, "wrapping the hand and sweeping lateral joints")) return stages;
   stages.lateral_tables = build_lateral_tables(stages.anatomy, stages.sphere_frame, stages.joint_classes,
@@ -82,11 +85,19 @@ BuildStages run_stages(HandModel model, const BuildSettings& settings, Stage las
 }
 
 std::vector<std::string> stage_warnings(const BuildStages& stages) {
+  const std::string doubtful = doubt(stages.closed_pose);
+  const std::vector<std::string> closed_pose_warnings(doubtful.empty() ? 0 : 1, doubtful);
   std::vector<std::string> all;
-  for (const auto* warnings : {&stages.model.warnings, &stages.anatomy.warnings, &stages.lateral_tables.warnings,
-                               &stages.correspondences.warnings})
+  for (const auto* warnings : {&stages.model.warnings, &stages.anatomy.warnings, &closed_pose_warnings,
+                               &stages.lateral_tables.warnings, &stages.correspondences.warnings})
     all.insert(all.end(), warnings->begin(), warnings->end());
   return all;
+}
+
+std::vector<Finding> stage_findings(const BuildStages& stages) {
+  std::vector<Finding> findings = stages.anatomy.findings;
+  findings.push_back(stages.closed_pose);
+  return findings;
 }
 
 std::vector<int> fingers_by_slot(const SphereFrame& frame) {
@@ -125,7 +136,7 @@ HandProfile make_profile(const BuildStages& stages, const BuildSettings& setting
   profile.lateral_tables = stages.lateral_tables.tables;
   profile.correspondences = stages.correspondences.points;
 
-  profile.findings = anatomy.findings;
+  profile.findings = stage_findings(stages);
   profile.warnings = stage_warnings(stages);
   profile.settings_json = to_canonical_json(settings);
   profile.sources = stages.model.sources;

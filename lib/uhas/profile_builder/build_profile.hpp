@@ -26,6 +26,7 @@ struct BuildStages {
   SphereFrame sphere_frame;
   std::vector<double> q_closed;
   std::vector<JointClassification> joint_classes;
+  Finding closed_pose;  ///< how far `q_closed` can be trusted
   LateralTables lateral_tables;
   Correspondences correspondences;
 };
@@ -44,6 +45,9 @@ BuildStages run_stages(HandModel model, const BuildSettings& settings, Stage las
 
 /// The warnings of every stage that has run, in the order of the stages.
 std::vector<std::string> stage_warnings(const BuildStages& stages);
+
+/// What was inferred or stated, an element an item of the hand config. Needs the stages up to Stage::classification.
+std::vector<Finding> stage_findings(const BuildStages& stages);
 
 /// Indices into `Anatomy::fingers`, ordered by the first slot a finger owns: the order of `HandProfile::fingers`.
 std::vector<int> fingers_by_slot(const SphereFrame& frame);

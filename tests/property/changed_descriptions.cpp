@@ -1,7 +1,6 @@
-// Design, section 4, properties 1 to 5: a hand that is scaled, moved, mirrored, or described with other axis signs, other
-// names or in another order is the same hand, from the anatomy to the solutions.
+// Design, section 4, properties 1 to 5: a hand that is scaled, moved, mirrored, or described with other axis signs,
+// other names or in another order is the same hand, from the anatomy to the solutions.
 #include <doctest/doctest.h>
-
 #include <tinyxml.h>
 
 #include "same_hand.hpp"

@@ -158,15 +158,17 @@ class Comparison {
       CHECK(a.joint_class == b.joint_class);
       CHECK(a.flexed_probe == b.flexed_probe);
       CHECK(std::abs(a.margin - b.margin) < 0.01);
-      compare_pose(joint, a.q_open, b.q_open);
-      compare_pose(joint, a.q_sphere, b.q_sphere);
+      compare_pose("q_open", joint, a.q_open, b.q_open);
+      compare_pose("q_sphere", joint, a.q_sphere, b.q_sphere);
       // A side joint that closes to neither side has its closed end by convention, on a hand that is neither right nor
       // left the other end in the mirror: no rule can do without, for such a hand may be its own mirror image.
-      if (theta_sign_ > 0 || a.joint_class == JointClass::encompassing) compare_pose(joint, a.q_closed, b.q_closed);
+      if (theta_sign_ > 0 || a.joint_class == JointClass::encompassing)
+        compare_pose("q_closed", joint, a.q_closed, b.q_closed);
     }
   }
 
-  void compare_pose(const Joint& joint, double q_a, double q_b) {
+  void compare_pose(const std::string& pose, const Joint& joint, double q_a, double q_b) {
+    CAPTURE(pose);
     const double difference = std::abs(translated(joint, q_a) - q_b);
     pose_difference_ = std::max(pose_difference_, difference);
     CAPTURE(q_a);

@@ -173,9 +173,10 @@ LateralTable build_table(const Hand& hand, int joint, int finger, const std::vec
   }
   table.neutral = stretch[middle].q;
   // keep theta_initial within (-pi, pi], the rest of the table unwrapped about it
-  const double turns = wrap_angle(stretch[middle].theta) - stretch[middle].theta;
+  table.theta_initial = wrap_angle(stretch[middle].theta);
+  const double turns = table.theta_initial - stretch[middle].theta;
   for (double& theta : table.theta) theta += turns;
-  table.theta_initial = table.theta[half];
+  table.theta[half] = table.theta_initial;  // whatever rounding made of it
   table.delta_theta_lower = std::min(table.theta.front(), table.theta.back()) - table.theta_initial;
   table.delta_theta_upper = std::max(table.theta.front(), table.theta.back()) - table.theta_initial;
   fill_inverse(table);

@@ -40,8 +40,7 @@ ProfileFinger profile_finger(const BuildStages& stages, int index) {
       to_spherical(fingertip_in_sphere(stages.anatomy, frame, index, stages.lateral_tables.q_sphere));
   finger.tip_phi = tip.polar;
   finger.theta_initial = finger.lateral_table >= 0 ? stages.lateral_tables.tables[finger.lateral_table].theta_initial
-                         : frame.mirrored          ? wrap_angle(-tip.azimuth)
-                                                   : tip.azimuth;
+                                                   : wrap_angle(frame.mirrored ? -tip.azimuth : tip.azimuth);
   return finger;
 }
 

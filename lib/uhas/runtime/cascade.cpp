@@ -266,6 +266,7 @@ Real Cascade<Real>::fit_group(const SolverModel<Real>& model, const SolverStep& 
   const JointValue<Real> present = values_[step.joint];
   const Real start = present.q;
   Real before = start, slope_before = descent(model, step, start);
+  if (slope_before == Real(0)) return start;  // at rest already, or no point to fit
   const Real end = slope_before > Real(0) ? joint.upper.q : joint.lower.q;
   Real found = end;
   for (int k = 1; k <= scan_steps; ++k) {

@@ -64,15 +64,13 @@ Real first_contact_with_sphere(const Circle<Real>& circle, const JointTravel<Rea
     }
     if (way <= length) return travel.open + sign * way;
   }
-  Real best = travel.open;
-  const auto consider = [&](Real t) {
-    const auto gap = [&](Real at) { return std::abs(std::sqrt(std::max(squared_radius(at), Real(0))) - Real(1)); };
-    if (gap(t) < gap(best) - kLeastGain<Real>) best = t;
-  };
-  consider(end);
-  for (Real extremum : {phase, phase + std::numbers::pi_v<Real>})
-    if (const Real way = way_to(extremum); way <= length) consider(travel.open + sign * way);
-  return best;
+  const auto gap = [&](Real t) { return std::abs(std::sqrt(std::max(squared_radius(t), Real(0))) - Real(1)); };
+  Real best = end;
+  for (Real extremum : {phase, phase + std::numbers::pi_v<Real>}) {
+    const Real way = way_to(extremum), t = travel.open + sign * way;
+    if (way <= length && gap(t) < gap(best)) best = t;
+  }
+  return gap(best) < gap(travel.open) - kLeastGain<Real> ? best : travel.open;
 }
 
 /// The same for any path and any surface: `gap(t)` is the signed distance of the point from the surface, positive outside.

@@ -76,7 +76,9 @@ TEST_CASE("without a meeting the least gap on the way is found") {
     if (meets) continue;
     ++missed;
     CAPTURE(n);
-    CHECK(std::abs(gap(first_contact_with_sphere(c.circle, c.travel))) <= least + 1e-12);
+    const double found = first_contact_with_sphere(c.circle, c.travel);
+    const double least_gain = found == c.travel.open ? kLeastGain<double> : 0;  // what a joint does not leave open for
+    CHECK(std::abs(gap(found)) <= least + least_gain + 1e-12);
   }
   CHECK(missed > 2000);
 }

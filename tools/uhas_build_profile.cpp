@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <iostream>
 
+#include "common/hand_explanation.hpp"
 #include "common/hand_input.hpp"
 #include "common/profile_summary.hpp"
 #include "uhas/profile_io/write_profile.hpp"
@@ -19,17 +20,19 @@ std::string default_output(const HandProfile& profile) {
 
 ExitCode build(Tool& tool) {
   HandInput input;
-  std::string output;
+  std::string output, config_output;
   tool.options().description("Builds the profile of a robot hand from its URDF.");
   add_hand_options(tool.options(), input);
   add_lateral_options(tool.options(), input.settings.lateral_tables);
   add_surface_options(tool.options(), input.settings.correspondences);
   tool.options().add_option("-o,--output", output, "Hand profile to write [<robot name>.h5]")->type_name("FILE");
+  add_write_config_option(tool.options(), config_output);
   tool.parse();
 
   const BuildStages stages = run_stages(tool, input, Stage::correspondences);
   const HandProfile profile = make_profile(stages, input.settings);
   if (output.empty()) output = default_output(profile);
+  write_hand_config(config_output, stages, input.settings);
   write_profile(profile, output);
 
   if (tool.json()) {

@@ -51,7 +51,7 @@ ExitCode solve_stream(const Tool& tool, const Options& options) {
   SolutionMaker maker(profile, options.solve, options.joints);
   const std::size_t failed = answer_json_lines(std::cin, std::cout, [&](const std::string& line) {
     const std::vector<double> values = parse_action(line);
-    return maker.solve({.values = values, .driving_vectors_phi = {}}, "");
+    return maker.solve({.values = values}, "");
   });
   if (failed == 0) return ExitCode::done;
   tool.report_error("standard input: " + std::to_string(failed) +

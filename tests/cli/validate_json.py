@@ -43,7 +43,7 @@ def parse(text):
 
 def tool_documents(bin_dir, folder):
     """(schema, label, document) of everything that the tools write."""
-    profile, points, actions = folder / "hand.h5", folder / "points.json", folder / "actions.json"
+    profile, config, points, actions = (folder / name for name in ("hand.h5", "hand.json", "points.json", "actions.json"))
     actions.write_text(json.dumps(ACTIONS))
 
     def run(tool, *arguments, **options):
@@ -52,6 +52,7 @@ def tool_documents(bin_dir, folder):
     commands = [
         ("profile-summary", "uhas-build-profile", [HAND, "-o", profile, "--json"]),
         ("profile-summary", "uhas-inspect", [profile, "--json"]),
+        ("hand-explanation", "uhas-explain-hand", [HAND, "--json", "--write-config", config]),
         ("profile-check", "uhas-inspect", [profile, "--validate", "--check", HAND, "--json"]),
         ("sphere-frame", "uhas-sphere-frame", [HAND, "--json"]),
         ("joint-classes", "uhas-classify-joints", [HAND, "--json"]),
@@ -64,6 +65,7 @@ def tool_documents(bin_dir, folder):
         switches = [argument for argument in arguments if str(argument).startswith("-")]
         yield schema, " ".join([tool, *switches]), parse(run(tool, *arguments))
     yield "surface-points", "uhas-project-surface -o", parse(points.read_text())
+    yield "hand-config", "uhas-explain-hand --write-config", parse(config.read_text())
 
     lines = "".join(json.dumps(action) + "\n" for action in ACTIONS["actions"])
     whole = parse(run("uhas-solve", actions))

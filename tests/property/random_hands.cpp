@@ -2,9 +2,9 @@
 // UHAS_SEEDS and UHAS_FIRST_SEED choose others; every miss prints its seed.
 #include <doctest/doctest.h>
 
-#include <cstdlib>
 #include <numbers>
 
+#include "support/environment.hpp"
 #include "support/random_hand.hpp"
 #include "uhas/sphere_frame/sphere_frame.hpp"
 
@@ -14,11 +14,6 @@ using namespace uhas::test;
 namespace {
 
 constexpr double kNormalTolerance = 15 * std::numbers::pi / 180;
-
-std::uint64_t number_from_environment(const char* name, std::uint64_t otherwise) {
-  const char* text = std::getenv(name);
-  return text ? std::strtoull(text, nullptr, 10) : otherwise;
-}
 
 /// For each chain of the truth, the finger that has it; -1 = none.
 std::vector<int> match_fingers(const RandomHand& hand, const Anatomy& anatomy) {

@@ -20,7 +20,7 @@ def main():
     hand, urdf = real_hand.find_hand(arguments.hand)
     script = hand.parent.parent / "tools" / "check_anatomy.py"
     if not script.exists():
-        real_hand.skip(arguments.hand, f"no comparison script at {script}")
+        real_hand.skip(f"no comparison script at {script}")
 
     failed = False
     with tempfile.TemporaryDirectory() as name:

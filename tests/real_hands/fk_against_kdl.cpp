@@ -1,18 +1,13 @@
 // Forward kinematics of every link against KDL, whose tree comes from urdfdom, not from the hand model.
 #include <doctest/doctest.h>
-#include <urdf_parser/urdf_parser.h>
 
 #include <cmath>
-#include <fstream>
-#include <kdl/tree.hpp>
 #include <kdl/treefksolverpos_recursive.hpp>
-#include <map>
 #include <numbers>
 #include <random>
-#include <regex>
-#include <sstream>
 #include <vector>
 
+#include "support/kdl_tree.hpp"
 #include "support/real_hand.hpp"
 #include "uhas/model/hand_model.hpp"
 #include "uhas/runtime/forward_kinematics.hpp"
@@ -20,43 +15,6 @@
 namespace {
 
 constexpr double tolerance = 1e-9;  // m and rad
-
-// urdfdom drops links over an <inertial> without <inertia>; kinematics need none.
-std::string urdf_without_inertials(const std::filesystem::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return std::regex_replace(text.str(), std::regex("<inertial>[^]*?</inertial>"), "");
-}
-
-KDL::Frame to_kdl(const urdf::Pose& pose) {
-  const auto& r = pose.rotation;
-  return {KDL::Rotation::Quaternion(r.x, r.y, r.z, r.w), {pose.position.x, pose.position.y, pose.position.z}};
-}
-
-KDL::Joint to_kdl(const urdf::Joint& joint) {
-  const KDL::Frame origin = to_kdl(joint.parent_to_joint_origin_transform);
-  if (joint.type == urdf::Joint::FIXED) return KDL::Joint(joint.name, KDL::Joint::None);
-  const KDL::Vector axis = origin.M * KDL::Vector(joint.axis.x, joint.axis.y, joint.axis.z);
-  const auto type = joint.type == urdf::Joint::PRISMATIC ? KDL::Joint::TransAxis : KDL::Joint::RotAxis;
-  return KDL::Joint(joint.name, origin.p, axis, type);
-}
-
-void add_children(const urdf::Link& link, KDL::Tree& tree) {
-  for (const auto& child : link.child_links) {
-    const urdf::Joint& joint = *child->parent_joint;
-    const KDL::Segment segment(child->name, to_kdl(joint), to_kdl(joint.parent_to_joint_origin_transform));
-    REQUIRE(tree.addSegment(segment, link.name));
-    add_children(*child, tree);
-  }
-}
-
-// A joint's value, through its mimics, from the values of the independent joints.
-double value_of(const urdf::ModelInterface& urdf, const std::string& name,
-                const std::map<std::string, double>& independent) {
-  const auto mimic = urdf.getJoint(name)->mimic;
-  if (!mimic) return independent.at(name);
-  return mimic->multiplier * value_of(urdf, mimic->joint_name, independent) + mimic->offset;
-}
 
 double rotation_angle(const uhas::Rotationd& a, const KDL::Rotation& b) {
   // |A - B| (Frobenius) = 2 sqrt(2) sin(angle / 2), accurate where the trace is not
@@ -70,10 +28,8 @@ double rotation_angle(const uhas::Rotationd& a, const KDL::Rotation& b) {
 
 TEST_CASE("the pose of every link is KDL's") {
   const auto& hand = uhas::test::real_hand();
-  const auto urdf = urdf::parseURDF(urdf_without_inertials(hand.urdf));
-  REQUIRE(urdf);
-  KDL::Tree tree(urdf->getRoot()->name);
-  add_children(*urdf->getRoot(), tree);
+  const auto urdf = uhas::test::read_urdf(hand.urdf);
+  const KDL::Tree tree = uhas::test::kdl_tree(*urdf);
   KDL::TreeFkSolverPos_recursive solver(tree);
 
   uhas::LoadOptions skeleton_only;
@@ -85,10 +41,9 @@ TEST_CASE("the pose of every link is KDL's") {
   std::mt19937_64 random(1);
   std::vector<double> q(model.tree.joints.size());
   std::vector<uhas::RigidTransformd> T_root_joint(q.size());
-  KDL::JntArray q_kdl(tree.getNrOfJoints());
   double worst_position = 0, worst_rotation = 0;
   for (int pose = 0; pose < 1000; ++pose) {
-    std::map<std::string, double> independent;
+    uhas::test::JointValues independent;
     for (const auto& [name, joint] : urdf->joints_) {
       if (joint->type == urdf::Joint::FIXED || joint->mimic) continue;
       const bool unlimited = joint->type == urdf::Joint::CONTINUOUS;
@@ -96,9 +51,7 @@ TEST_CASE("the pose of every link is KDL's") {
       const double upper = unlimited ? std::numbers::pi : joint->limits->upper;
       independent[name] = std::uniform_real_distribution(lower, upper)(random);
     }
-    for (const auto& [name, element] : tree.getSegments())
-      if (element.segment.getJoint().getType() != KDL::Joint::None)
-        q_kdl(element.q_nr) = value_of(*urdf, element.segment.getJoint().getName(), independent);
+    const KDL::JntArray q_kdl = uhas::test::kdl_values(*urdf, tree, independent);
     for (std::size_t j = 0; j < q.size(); ++j)
       q[j] = model.tree.joints[j].mimic_master < 0 ? independent.at(model.tree.joints[j].name) : 0;
     uhas::apply_mimics(model.tree, q);

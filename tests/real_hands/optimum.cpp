@@ -183,7 +183,7 @@ TEST_CASE("the cascade comes near the numerical optimum") {
       for (int n = 0; n < actions; ++n) {
         const std::vector<double> action = random_action(random, spread ? 0.5 : 0.0, 0.6);
         std::vector<double> q(solver.joint_count());
-        REQUIRE(solver.solve({.values = action, .driving_vectors_phi = {}}, q) == Status::ok);
+        REQUIRE(solver.solve({.values = action}, q) == Status::ok);
         for (const Problem& problem : problems_of(profile)) {
           const std::vector<Pair> pairs = pairs_of(profile, problem, action);
           const double weight = std::accumulate(pairs.begin(), pairs.end(), 0.0, [](double a, const Pair& b) { return a + b.w; });

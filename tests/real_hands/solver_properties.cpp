@@ -23,7 +23,7 @@ constexpr double kTwoVectors = 2;
 
 std::vector<double> solve(CascadeSolver<double>& solver, const std::vector<double>& action) {
   std::vector<double> q(solver.joint_count());
-  REQUIRE(solver.solve({.values = action, .driving_vectors_phi = {}}, q) == Status::ok);
+  REQUIRE(solver.solve({.values = action}, q) == Status::ok);
   return q;
 }
 
@@ -83,7 +83,7 @@ TEST_CASE("every finite action gives finite joint values within limits") {
       const int vectors = 1 + n % kMaxDrivingVectors;
       const double scale = n % 10 == 0 ? 1e300 : 3.0;  // now and then far beyond every bound
       const std::vector<double> action = random_action(random, scale, scale, vectors);
-      const Status status = solvers[n % solvers.size()].solve({.values = action, .driving_vectors_phi = {}}, q);
+      const Status status = solvers[n % solvers.size()].solve({.values = action}, q);
       bad += status != Status::ok;
       for (std::size_t i = 0; i < q.size(); ++i) {
         const Joint& joint = profile.tree.joints[i];
@@ -104,7 +104,7 @@ TEST_CASE("input that is not finite is refused and the output untouched") {
     for (std::size_t at = 0; at < 15; ++at) {
       std::vector<double> action(15, 0.1), q(solver.joint_count(), 42.0);
       action[at] = poison;
-      CHECK(solver.solve({.values = action, .driving_vectors_phi = {}}, q) == Status::non_finite_input);
+      CHECK(solver.solve({.values = action}, q) == Status::non_finite_input);
       CHECK(std::all_of(q.begin(), q.end(), [](double value) { return value == 42.0; }));
     }
   }
@@ -186,7 +186,7 @@ TEST_CASE("float follows double") {
     std::vector<float> action_float(action.begin(), action.end());
     action.assign(action_float.begin(), action_float.end());
     const std::vector<double> q = solve(solver, action);
-    REQUIRE(single.solve({.values = action_float, .driving_vectors_phi = {}}, q_float) == Status::ok);
+    REQUIRE(single.solve({.values = action_float}, q_float) == Status::ok);
     for (std::size_t i = 0; i < q.size(); ++i) errors.push_back(std::abs(q[i] - double(q_float[i])));
   }
   std::sort(errors.begin(), errors.end());

@@ -17,6 +17,7 @@ struct RandomHand {
   Vector3d normal_root;                          ///< outward palm normal in the root frame
   Handedness handedness = Handedness::none;
   bool has_thumb = false;
+  bool has_surface = true;  ///< the fingers have meshes
   std::vector<int> slots;  ///< one a finger: a slot that it owns for certain, or -1
 };
 
@@ -117,6 +118,7 @@ class RandomHandMaker {
     const double length = uniform(0.07, 0.14), spacing = uniform(0.018, 0.035), splay = uniform(0, 0.12);
     const double hyperextension = uniform(0, 0.35), arch = uniform(0, 0.006);
     const bool tips = chance(0.5), meshes = chance(0.8), followers = flexions > 1 && chance(0.2);
+    hand_.has_surface = meshes;
     for (int i = 0; i < fingers; ++i) {
       const double place = (fingers - 1) / 2.0 - i;
       const Vector3d direction = turned(forward, n, -splay * place);

@@ -8,15 +8,15 @@ import sys
 SKIPPED = 77  # ctest's SKIP_RETURN_CODE of these tests
 
 
-def skip(name, reason):
-    print(f"SKIPPED: {name}: {reason}")
+def skip(reason):
+    print(f"SKIPPED: {reason}")
     sys.exit(SKIPPED)
 
 
 def find_hand(name):
-    """(folder, URDF). Skips by name when UHAS_HANDS_DIR is not set, fails when it is set but wrong."""
+    """(folder, URDF). Skips when UHAS_HANDS_DIR is not set, fails when it is set but wrong."""
     if "UHAS_HANDS_DIR" not in os.environ:
-        skip(name, "UHAS_HANDS_DIR is not set")
+        skip("UHAS_HANDS_DIR is not set")
     folder = pathlib.Path(os.environ["UHAS_HANDS_DIR"]) / name
     try:
         truth = json.loads((folder / "truth.json").read_text())

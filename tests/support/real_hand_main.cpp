@@ -16,6 +16,9 @@ RealHand load_real_hand() {
   RealHand hand;
   hand.name = std::getenv("UHAS_HAND");
   hand.folder = std::filesystem::path(std::getenv("UHAS_HANDS_DIR")) / hand.name;
+  // a hand of the project's own: no truth.json, and the URDF is named like the folder
+  hand.urdf = hand.folder / (hand.name + ".urdf");
+  if (exists(hand.urdf)) return hand;
   std::ifstream file(hand.folder / "truth.json");
   if (!file) throw std::runtime_error("UHAS_HANDS_DIR is set, but " + (hand.folder / "truth.json").string() + " cannot be read");
   hand.truth = nlohmann::json::parse(file);

@@ -28,6 +28,7 @@ std::size_t answer_json_lines(std::istream& in, std::ostream& out,
   std::size_t failed = 0;
   std::string line;
   for (std::size_t number = 1; read_line(in, line); ++number) {
+    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;  // a blank line asks nothing
     Json reply;
     try {
       if (line.size() > kMaxLineBytes) throw Error(ErrorCode::limit_exceeded, "", "the line is longer than 1 MiB", "");

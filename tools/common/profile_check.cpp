@@ -17,7 +17,7 @@ std::vector<Check> check_behaviour(const HandProfile& profile) {
   CascadeSolver<double> solver(profile);
   std::vector<double> q(profile.tree.joints.size());
   const std::array<double, 15> zero{};
-  const Status status = solver.solve({.values = zero, .driving_vectors_phi = {}}, q);
+  const Status status = solver.solve({.values = zero}, q);
 
   double worst = 0;
   for (std::size_t i = 0; i < q.size(); ++i) worst = std::max(worst, std::abs(q[i] - profile.joint_traits[i].q_sphere));

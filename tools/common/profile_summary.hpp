@@ -10,8 +10,8 @@ namespace uhas::tools {
 
 Json profile_summary_json(const HandProfile& profile);
 
-/// What was found: hand, palm, sphere, fingers, joints. Angles in degrees, lengths in millimetres.
-/// @param in_full  also the three poses and the reasons for what was inferred
+/// What was found: hand, palm, sphere, fingers, joints, and why it was inferred. Angles in degrees, lengths in millimetres.
+/// @param in_full  also the three poses of each joint
 void print_profile(std::ostream& out, const HandProfile& profile, bool in_full);
 
 /// Surface points on the links that the finger's joints carry.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <ostream>
 
+#include "common/findings.hpp"
 #include "common/names.hpp"
 #include "common/profile_summary.hpp"
 #include "common/table.hpp"
@@ -75,13 +76,6 @@ void print_joints(std::ostream& out, const HandProfile& profile, bool with_poses
   if (!profile.other_joints.empty()) out << "Not of a finger: " << join(profile.other_joints, ", ") << '\n';
 }
 
-void print_findings(std::ostream& out, const HandProfile& profile) {
-  Table table({{"inferred"}, {"value"}, {"confidence", Align::right}, {"because"}});
-  for (const Finding& finding : profile.findings)
-    table.add_row({finding.item, finding.value, fixed(finding.confidence, 2), finding.reason});
-  table.print(out);
-}
-
 }  // namespace
 
 void print_profile(std::ostream& out, const HandProfile& profile, bool in_full) {
@@ -97,15 +91,14 @@ void print_profile(std::ostream& out, const HandProfile& profile, bool in_full) 
       << ", " << fixed(normal.z, 3) << ") in " << profile.root_link << "\nSphere  radius "
       << millimetres(profile.radius) << " mm, centre (" << millimetres(center.x) << ", " << millimetres(center.y)
       << ", " << millimetres(center.z) << ") mm in " << profile.root_link << "\nPoints  "
-      << profile.correspondences.size() << " on the surface, " << used
-      << " of them used by the solver\nAngles are in degrees.\n\n";
+      << profile.correspondences.size() << " on the surface, palm included; the solver uses " << used
+      << "\nAngles are in degrees.\n\n";
   print_fingers(out, profile);
   out << '\n';
   print_joints(out, profile, in_full);
-  if (in_full && !profile.findings.empty()) {
-    out << '\n';
-    print_findings(out, profile);
-  }
+  if (profile.findings.empty()) return;
+  out << '\n';
+  print_findings(out, profile.findings);
 }
 
 }  // namespace uhas::tools

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
+#include "uhas/anatomy/config_names.hpp"
 #include "uhas/anatomy/digits_detail.hpp"
 #include "uhas/anatomy/fingertip_detail.hpp"
 #include "uhas/anatomy/open_pose_detail.hpp"
 #include "uhas/anatomy/palm_plane.hpp"
 #include "uhas/anatomy/palm_tree_detail.hpp"
-#include "uhas/base/errors.hpp"
 #include "uhas/runtime/forward_kinematics.hpp"
 
 namespace uhas {
@@ -22,6 +23,15 @@ constexpr double kHandedAzimuth = 20 * std::numbers::pi / 180;
 double root_azimuth(const PalmPlane& plane, int finger) {
   const Vector3d p = plane.roots[finger] - plane.center;
   return std::atan2(dot(p, plane.y), dot(p, plane.x));
+}
+
+std::string count_joints(std::size_t count) { return std::to_string(count) + (count == 1 ? " joint" : " joints"); }
+
+/// The unit vector along `direction`. One that is unit already keeps its bits, so that a written config states what was
+/// inferred exactly.
+Vector3d unit_direction(Vector3d direction) {
+  constexpr double rounding = 1e-14;
+  return std::abs(norm(direction) - 1) <= rounding ? direction : normalized(direction);
 }
 
 /// How far an azimuth is from straight ahead and from straight back (rad).
@@ -43,13 +53,11 @@ class AnatomyInference {
   }
 
  private:
-  /// Records what was found; below 0.5 the user is told which config key settles it.
-  void note(const std::string& item, const std::string& value, const std::string& reason, double confidence,
-            const std::string& key) {
+  /// Records what was found; `item` is the config key that overrides it.
+  void note(const std::string& item, const std::string& value, const std::string& reason, double confidence) {
     anatomy_.findings.push_back({item, value, reason, confidence});
-    if (confidence < 0.5)
-      anatomy_.warnings.push_back("doubtful " + item + ": " + value + " (" + reason + "); set \"" + key +
-                                  "\" in a hand config if it is wrong");
+    if (const std::string warning = doubt(anatomy_.findings.back()); !warning.empty())
+      anatomy_.warnings.push_back(warning);
   }
 
   std::size_t count() const { return anatomy_.fingers.size(); }
@@ -59,56 +67,63 @@ class AnatomyInference {
     return anatomy_.tree.joints[joints.front()].name + " .. " + anatomy_.tree.joints[joints.back()].name;
   }
 
+  /// The finger of which the config names a joint; -1 when it says that there is none.
+  int find_stated_finger(const std::string& joint_name, const std::string& key) const {
+    if (joint_name.empty()) return -1;
+    const int joint = find_joint(anatomy_.tree, joint_name, config_, key, "no finger has a joint");
+    int found = -1;
+    for (std::size_t i = 0; i < count(); ++i) {
+      if (std::ranges::find(anatomy_.fingers[i].joints, joint) == anatomy_.fingers[i].joints.end()) continue;
+      if (found >= 0)
+        refuse_config(config_, key, "several fingers have the joint \"" + joint_name + "\"",
+                      "name a joint further out");
+      found = static_cast<int>(i);
+    }
+    if (found < 0)
+      refuse_config(config_, key, "\"" + joint_name + "\" only drives joints of fingers", "name a joint of a finger");
+    return found;
+  }
+
   void find_chains() {
-    const FingerChains found = find_finger_chains(model_, config_.palm_link);
-    anatomy_ = make_palm_tree(model_, found);
-    const std::string fingers = std::to_string(count());
+    const FingerChains found = find_finger_chains(model_, config_);
+    anatomy_ = make_palm_tree(model_, found, config_);
+    if (!config_.joint_limits.empty())
+      note("joint_limits", count_joints(config_.joint_limits.size()) + " narrowed", kStatedInConfig, 1);
     note("palm_link", anatomy_.palm_link,
-         config_.palm_link ? "set by the config" : "the lowest group of links in which all long chains of joints meet",
-         config_.palm_link ? 1 : found.palm_margin, "palm_link");
-    note("fingers", fingers + " fingers",
+         config_.palm_link ? kStatedInConfig : "the lowest group of links in which all long chains of joints meet",
+         config_.palm_link ? 1 : found.palm_margin);
+    const std::string fingers = std::to_string(count()) + " fingers";
+    if (!config_.fingers.empty()) return note("fingers", fingers, kStatedInConfig, 1);
+    note("fingers", fingers,
          "branches of movable joints from the palm, each as long as a finger" +
              std::string(anatomy_.other_joints.empty() ? ""
                                                        : "; " + std::to_string(anatomy_.other_joints.size()) +
                                                              " other joints are above the palm or too short"),
-         0.4 + 0.6 * found.chain_margin, "palm_link");
+         0.4 + 0.6 * found.chain_margin);
   }
 
   void find_tips() {
+    stated_tips_ = find_stated_fingertips(anatomy_, config_);
     double confidence = 1;
-    std::string reason;
-    for (FingerAnatomy& finger : anatomy_.fingers) {
-      const Fingertip tip = find_fingertip(model_, anatomy_, finger);
+    std::string reason = kStatedInConfig;
+    for (std::size_t i = 0; i < count(); ++i) {
+      FingerAnatomy& finger = anatomy_.fingers[i];
+      const Fingertip tip = find_fingertip(model_, anatomy_, finger, stated_tips_[i]);
       finger.tip_link = tip.link;
       finger.p_tip_link = tip.p_link;
-      if (tip.confidence < confidence || reason.empty()) reason = tip.reason;
+      if (tip.confidence < confidence) reason = tip.reason;
       confidence = std::min(confidence, tip.confidence);
     }
-    note("fingertips", "one a finger", reason, confidence, "palm_link");
+    note("fingertips", "one a finger", reason, confidence);
   }
 
   /// Everything at mid range, but for the joints that the config sets.
   void start_pose() {
     const KinematicTree& tree = anatomy_.tree;
-    for (const Joint& joint : tree.joints) q_.push_back(mid_range(joint));
-    held_.assign(tree.joints.size(), false);
-    for (const auto& [name, value] : config_.q_open) {
-      const auto joint = std::find_if(tree.joints.begin(), tree.joints.end(),
-                                      [&name = name](const Joint& j) { return j.name == name; });
-      if (joint == tree.joints.end())
-        throw Error(ErrorCode::invalid_config, "", "q_open: no finger has a joint \"" + name + "\"",
-                    "name a joint of a finger");
-      if (joint->mimic_master >= 0)
-        throw Error(ErrorCode::invalid_config, "",
-                    "q_open: joint \"" + name + "\" mimics \"" + tree.joints[joint->mimic_master].name + "\"",
-                    "set that joint");
-      if (value < joint->lower || value > joint->upper)
-        throw Error(ErrorCode::invalid_config, "",
-                    "q_open: " + std::to_string(value) + " is outside the limits of \"" + name + "\"",
-                    "stay within the limits of the URDF");
-      const auto index = static_cast<std::size_t>(joint - tree.joints.begin());
-      held_[index] = true;
-      q_[index] = value;
+    const std::vector<std::optional<double>> stated = resolve_joint_values(tree, config_.q_open, config_, "q_open");
+    for (std::size_t i = 0; i < stated.size(); ++i) {
+      held_.push_back(stated[i].has_value());
+      q_.push_back(stated[i].value_or(mid_range(tree.joints[i])));
     }
     apply_mimics(tree, q_);
   }
@@ -148,26 +163,19 @@ class AnatomyInference {
   void find_open_hand() {
     constexpr int rounds = 3;
     postures_ = measure_postures();
-    const Thumb thumb = find_thumb(postures_, mean_length_);
-    anatomy_.thumb = thumb.finger;
-    note("thumb", thumb.finger < 0 ? "none" : describe(thumb.finger),
-         thumb.finger < 0
-             ? "no finger stands apart from a row of like fingers"
-             : "without it the others are most alike in direction, closing side and place of their knuckles",
-         thumb.confidence, "handedness");
+    choose_thumb();
 
-    PalmNormal found = find_palm_normal(postures_, thumb.finger);
-    if (config_.palm_normal_in_root)
-      found.normal = normalized(anatomy_.T_root_palm.rotation.transposed() * *config_.palm_normal_in_root);
+    PalmNormal found = find_palm_normal(postures_, anatomy_.thumb);
+    if (config_.palm_normal_in_root) found.normal = set_normal(*config_.palm_normal_in_root);
     for (int round = 0; round < rounds && !config_.palm_normal_in_root; ++round) {
       q_ = find_open_pose(anatomy_, flexions_, found.normal, Bases::held, q_, held_);
       extend_fingers();
       postures_ = measure_postures();
-      found = find_palm_normal(postures_, thumb.finger);
+      found = find_palm_normal(postures_, anatomy_.thumb);
     }
     q_ = find_open_pose(anatomy_, flexions_, found.normal, Bases::searched, q_, held_);
     postures_ = measure_postures();
-    anatomy_.palm_normal_palm = found.normal;
+    if (!config_.palm_normal_in_root) set_normal(anatomy_.T_root_palm.rotation * found.normal);
     anatomy_.q_open = q_;
     note_normal(found);
     note_open_pose();
@@ -179,13 +187,39 @@ class AnatomyInference {
       forward_kinematics(anatomy_.tree, q_, T_palm_joint);
       const RigidTransformd T_palm_tip =
           T_palm_joint[finger.joints.back()] * anatomy_.links[finger.tip_link].T_joint_link;
-      finger.pad_normal_link = T_palm_tip.rotation.transposed() * postures_[i].closing;
+      finger.pad_normal_link = stated_tips_[i] && stated_tips_[i]->pad_normal
+                                   ? unit_direction(*stated_tips_[i]->pad_normal)
+                                   : T_palm_tip.rotation.transposed() * postures_[i].closing;
     }
   }
 
+  void choose_thumb() {
+    const Thumb found = find_thumb(postures_, mean_length_);
+    anatomy_.thumb = config_.thumb ? find_stated_finger(*config_.thumb, "thumb") : found.finger;
+    const std::string value = anatomy_.thumb < 0 ? "none" : describe(anatomy_.thumb);
+    if (config_.thumb) return note("thumb", value, kStatedInConfig, 1);
+    note("thumb", value,
+         found.finger < 0
+             ? "no finger stands apart from a row of like fingers"
+             : "without it the others are most alike in direction, closing side and place of their knuckles",
+         found.confidence);
+  }
+
+  /// Sets the palm normal by its direction in the root frame; returns it in P.
+  Vector3d set_normal(Vector3d direction_root) {
+    anatomy_.palm_normal_root = unit_direction(direction_root);
+    anatomy_.palm_normal_palm = anatomy_.T_root_palm.rotation.transposed() * anatomy_.palm_normal_root;
+    return anatomy_.palm_normal_palm;
+  }
+
   void note_normal(const PalmNormal& found) {
-    if (config_.palm_normal_in_root)
-      return note("palm_normal", "as given", "set by the config", 1, "palm_normal_in_root");
+    const Vector3d n = anatomy_.palm_normal_root;
+    const auto number = [](double component) {
+      const double rounded = std::round(1000 * component) / 1000 + 0.0;  // never -0
+      return std::to_string(rounded).substr(0, rounded < 0 ? 6 : 5);
+    };
+    const std::string value = number(n.x) + " " + number(n.y) + " " + number(n.z);
+    if (config_.palm_normal_in_root) return note("palm_normal_in_root", value, kStatedInConfig, 1);
     constexpr double guess = 0.45;  // the angle of the fingers' bases to the palm may be 15 degrees off
     double evidence = 0;
     bool known = false;
@@ -194,12 +228,10 @@ class AnatomyInference {
       if (static_cast<int>(i) != anatomy_.thumb && known_base_[i]) known = true;
     }
     const double confidence = std::min({found.coherence, 2 * evidence, known ? 1.0 : guess});
-    const Vector3d n = anatomy_.T_root_palm.rotation * found.normal;
-    const auto number = [](double value) { return std::to_string(value).substr(0, value < 0 ? 6 : 5); };
-    note("palm_normal", number(n.x) + " " + number(n.y) + " " + number(n.z) + " in the root frame",
+    note("palm_normal_in_root", value,
          found.opposing ? "the axis around which opposing fingers close"
                         : "mean direction in which the fingers close, the side of their larger joint ranges",
-         confidence, "palm_normal_in_root");
+         confidence);
   }
 
   void note_open_pose() {
@@ -208,16 +240,18 @@ class AnatomyInference {
       if (static_cast<int>(i) == anatomy_.thumb) continue;
       openness = std::min(openness, dot(postures_[i].closing, anatomy_.palm_normal_palm));
     }
-    note("q_open", "fingers extended", "each finger straight in the palm plane with its pad toward the palm normal",
-         std::clamp(openness, 0.0, 1.0), "q_open");
+    std::size_t independent = 0;
+    for (const Joint& joint : anatomy_.tree.joints) independent += joint.mimic_master < 0 ? 1 : 0;
+    if (config_.q_open.size() == independent) return note("q_open", "fingers extended", kStatedInConfig, 1);
+    note("q_open", "fingers extended",
+         "each finger straight in the palm plane with its pad toward the palm normal" +
+             (config_.q_open.empty() ? std::string()
+                                     : "; " + count_joints(config_.q_open.size()) + " " + kStatedInConfig),
+         std::clamp(openness, 0.0, 1.0));
   }
 
   void name_digits() {
-    anatomy_.middle = find_middle_finger(postures_, anatomy_.thumb, anatomy_.palm_normal_palm);
-    note("middle_finger", anatomy_.middle < 0 ? "none" : describe(anatomy_.middle),
-         anatomy_.middle < 0 ? "a hand without a thumb, or with too few fingers beside it"
-                             : "second from the thumb across the palm",
-         1, "handedness");
+    choose_middle_finger();
 
     double confidence = 1;
     std::string reason = "no thumb";
@@ -232,18 +266,31 @@ class AnatomyInference {
     }
     if (config_.handedness) {
       anatomy_.handedness = *config_.handedness;
-      reason = "set by the config";
+      reason = kStatedInConfig;
       confidence = 1;
     }
     const char* names[] = {"none", "right", "left"};
-    note("handedness", names[static_cast<int>(anatomy_.handedness)], reason, confidence, "handedness");
+    note("handedness", names[static_cast<int>(anatomy_.handedness)], reason, confidence);
+  }
+
+  void choose_middle_finger() {
+    anatomy_.middle = config_.middle_finger ? find_stated_finger(*config_.middle_finger, "middle_finger")
+                                            : find_middle_finger(postures_, anatomy_.thumb, anatomy_.palm_normal_palm);
+    if (anatomy_.middle >= 0 && anatomy_.middle == anatomy_.thumb)
+      refuse_config(config_, "middle_finger", describe(anatomy_.thumb) + " is the thumb",
+                    "name another finger, or set \"thumb\"");
+    note("middle_finger", anatomy_.middle < 0 ? "none" : describe(anatomy_.middle),
+         config_.middle_finger ? kStatedInConfig
+         : anatomy_.middle < 0 ? "a hand without a thumb, or with too few fingers beside it"
+                               : "second from the thumb across the palm",
+         1);
   }
 
   /// A continuous joint turns half a turn to both sides of open.
   void finish_limits() {
     for (std::size_t i = 0; i < q_.size(); ++i) {
       Joint& joint = anatomy_.tree.joints[i];
-      if (joint.kind != JointKind::continuous) continue;
+      if (joint.kind != JointKind::continuous || config_.joint_limits.contains(joint.name)) continue;
       joint.lower = q_[i] - std::numbers::pi;
       joint.upper = q_[i] + std::numbers::pi;
     }
@@ -252,10 +299,11 @@ class AnatomyInference {
   const HandModel& model_;
   const HandConfig& config_;
   Anatomy anatomy_;
-  double mean_length_ = 0;               ///< of the fingers
-  std::vector<Flexion> flexions_;        ///< one a finger
-  std::vector<bool> known_base_;         ///< one a finger: the angle of its base to the palm is no guess
-  std::vector<FingerPosture> postures_;  ///< one a finger, at `q_`
+  double mean_length_ = 0;                           ///< of the fingers
+  std::vector<const StatedFingertip*> stated_tips_;  ///< one a finger; null = inferred
+  std::vector<Flexion> flexions_;                    ///< one a finger
+  std::vector<bool> known_base_;                     ///< one a finger: the angle of its base to the palm is no guess
+  std::vector<FingerPosture> postures_;              ///< one a finger, at `q_`
   std::vector<double> q_;
   std::vector<bool> held_;  ///< joints whose open value the config sets
   FingerPose scratch_;

@@ -35,6 +35,7 @@ struct Anatomy {
   int middle = -1;  ///< index into `fingers`; -1 = no middle finger
   Handedness handedness = Handedness::none;
   Vector3d palm_normal_palm;   ///< outward palm normal, unit, in P
+  Vector3d palm_normal_root;   ///< the same in the root link's frame, of which palm_normal_palm is computed
   std::vector<double> q_open;  ///< one value a joint of `tree`: fingers extended, pads toward the palm normal
 
   std::vector<Finding> findings;
@@ -43,7 +44,7 @@ struct Anatomy {
 
 /// Infers the anatomy; `config` overrides item by item.
 /// Throws Error(invalid_hand) when no hand can be found, Error(invalid_config) when the config names what the model
-/// lacks.
+/// lacks or what is no hand.
 Anatomy infer_anatomy(const HandModel& model, const HandConfig& config = {});
 
 }  // namespace uhas

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
+#include "uhas/anatomy/config_names.hpp"
+#include "uhas/anatomy/stated_chains_detail.hpp"
 #include "uhas/base/errors.hpp"
 
 namespace uhas {
@@ -154,31 +157,37 @@ int find_palm_link(const HandModel& model, const FingerChains& found) {
 
 }  // namespace
 
-FingerChains find_finger_chains(const HandModel& model, const std::optional<std::string>& palm_link) {
+FingerChains find_finger_chains(const HandModel& model, const HandConfig& config) {
   const Branches branches(model);
   FingerChains found;
-  if (palm_link) {
-    const auto link =
-        std::find_if(model.links.begin(), model.links.end(), [&](const ModelLink& l) { return l.name == *palm_link; });
-    if (link == model.links.end())
-      throw Error(ErrorCode::invalid_config, "", "palm_link: the model has no link \"" + *palm_link + "\"",
-                  "name a link of the URDF");
-    found.palm_link = static_cast<int>(link - model.links.begin());
-    found.palm_group = link->joint;
-  } else {
+  if (!config.fingers.empty()) {
+    StatedChains stated = find_stated_chains(model, config);
+    found.chains = std::move(stated.chains);
+    found.palm_group = stated.palm_group;
+  }
+  if (config.palm_link) {
+    found.palm_link = find_stated_palm_link(model, config);
+    const int palm_group = model.links[found.palm_link].joint;
+    if (!config.fingers.empty() && palm_group != found.palm_group)
+      refuse_config(config, "palm_link", "the stated fingers do not begin on \"" + *config.palm_link + "\"",
+                    "name the link that carries the first joint of each");
+    found.palm_group = palm_group;
+  } else if (config.fingers.empty()) {
     found.palm_group = find_palm_group(branches, found.palm_margin);
   }
 
-  ChainCollector collector(branches, found.palm_group);
-  found.chains = std::move(collector.chains);
-  found.chain_margin = std::clamp(collector.margin, 0.0, 1.0);
+  if (config.fingers.empty()) {
+    ChainCollector collector(branches, found.palm_group);
+    found.chains = std::move(collector.chains);
+    found.chain_margin = std::clamp(collector.margin, 0.0, 1.0);
+  }
   if (found.chains.size() < 2)
     throw Error(ErrorCode::invalid_hand, "",
                 found.chains.empty() ? "no movable joint carries a finger" : "only one finger was found",
                 "a hand needs two or more chains of movable joints on one palm; name the palm with \"palm_link\" in a "
                 "hand config");
   std::sort(found.chains.begin(), found.chains.end());
-  if (!palm_link) found.palm_link = find_palm_link(model, found);
+  if (!config.palm_link) found.palm_link = find_palm_link(model, found);
   return found;
 }
 

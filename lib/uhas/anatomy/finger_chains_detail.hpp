@@ -2,10 +2,9 @@
 // A rigid group is what one movable joint carries without another joint between; group -1 hangs on the root link.
 #pragma once
 
-#include <optional>
-#include <string>
 #include <vector>
 
+#include "uhas/anatomy/hand_config.hpp"
 #include "uhas/model/hand_model.hpp"
 
 namespace uhas {
@@ -18,8 +17,9 @@ struct FingerChains {
   double chain_margin = 1;               ///< 0..1: how clearly each branch is a finger, or is none
 };
 
-/// Finds the group in which the significant chains meet, or takes the group of the link named `palm_link`.
-/// Throws Error(invalid_hand) when fewer than two fingers hang on it, Error(invalid_config) for an unknown palm link.
-FingerChains find_finger_chains(const HandModel& model, const std::optional<std::string>& palm_link);
+/// Finds the group in which the significant chains meet, and the chains on it; takes what the config states of either.
+/// Throws Error(invalid_hand) when fewer than two fingers hang on the palm, Error(invalid_config) for what the model
+/// lacks.
+FingerChains find_finger_chains(const HandModel& model, const HandConfig& config = {});
 
 }  // namespace uhas

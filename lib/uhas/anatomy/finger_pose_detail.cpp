@@ -30,15 +30,17 @@ std::vector<double> mid_pose(const KinematicTree& tree) {
 double preferred_value(const Joint& joint, double tolerance, const std::function<double(double)>& objective) {
   constexpr int samples = 24;
   constexpr double near_middle = 0.3;  // of half the range
-  const double step = (joint.upper - joint.lower) / samples;
+  const auto at = [&](int i) {  // the ends exactly, whatever rounding makes of the steps
+    return i == samples ? joint.upper : joint.lower + (joint.upper - joint.lower) * i / samples;
+  };
   int best = 0;
   std::array<double, samples + 1> value;
   for (int i = 0; i <= samples; ++i) {
-    value[i] = objective(joint.lower + i * step);
+    value[i] = objective(at(i));
     if (value[i] > value[best]) best = i;
   }
   // Golden-section search between the neighbours of the best sample.
-  double a = joint.lower + std::max(best - 1, 0) * step, b = joint.lower + std::min(best + 1, samples) * step;
+  double a = at(std::max(best - 1, 0)), b = at(std::min(best + 1, samples));
   constexpr double ratio = 0.6180339887498949;
   double x1 = b - ratio * (b - a), x2 = a + ratio * (b - a), f1 = objective(x1), f2 = objective(x2);
   for (int i = 0; i < 25; ++i) {
@@ -51,7 +53,7 @@ double preferred_value(const Joint& joint, double tolerance, const std::function
     }
   }
   double optimum = f1 > f2 ? x1 : x2, maximum = std::max(f1, f2);
-  if (value[best] >= maximum) optimum = joint.lower + best * step, maximum = value[best];
+  if (value[best] >= maximum) optimum = at(best), maximum = value[best];
 
   const double middle = mid_range(joint);
   const bool flat = maximum - *std::min_element(value.begin(), value.end()) <= tolerance;
@@ -59,7 +61,7 @@ double preferred_value(const Joint& joint, double tolerance, const std::function
   if (flat) return zero_in_middle ? 0 : middle;
   const bool zero_in_range = joint.lower <= 0 && joint.upper >= 0;
   if (zero_in_range && objective(0) >= maximum - tolerance) return 0;
-  return objective(middle) >= maximum - tolerance ? middle : optimum;
+  return objective(middle) >= maximum - tolerance ? middle : clamp_to_limits(joint, optimum);
 }
 
 void pose_finger(const Anatomy& anatomy, const FingerAnatomy& finger, std::span<const double> q, FingerPose& pose) {

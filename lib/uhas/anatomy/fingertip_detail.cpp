@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <string_view>
+
+#include "uhas/anatomy/config_names.hpp"
+#include "uhas/anatomy/nearest_name.hpp"
 
 namespace uhas {
 namespace {
@@ -93,9 +97,57 @@ bool is_leaf(const HandModel& model, int link) {
                       [link](const ModelLink& other) { return other.parent_link == link; });
 }
 
+int find_link(const Anatomy& anatomy, const std::string& name) {
+  const auto link = std::ranges::find(anatomy.links, name, &ProfileLink::name);
+  return link == anatomy.links.end() ? -1 : static_cast<int>(link - anatomy.links.begin());
+}
+
+/// A stated point; on a stated link without one the far end of its surface, or its origin when it has none.
+Fingertip make_stated_tip(const HandModel& model, const Anatomy& anatomy, const StatedFingertip& stated) {
+  Fingertip tip;
+  const auto link = static_cast<std::size_t>(find_link(anatomy, stated.link));
+  if (!stated.point) {
+    const Surface surface = measure_surface(model, anatomy, {link});
+    if (surface.extent > 0) tip = find_surface_tip(model, anatomy, {link}, surface);
+  } else {
+    tip.p_link = *stated.point;
+  }
+  tip.link = static_cast<int>(link);
+  tip.confidence = 1;
+  return tip;
+}
+
 }  // namespace
 
-Fingertip find_fingertip(const HandModel& model, const Anatomy& anatomy, const FingerAnatomy& finger) {
+std::vector<const StatedFingertip*> find_stated_fingertips(const Anatomy& anatomy, const HandConfig& config) {
+  constexpr const char* key = "fingertips";
+  std::vector<const StatedFingertip*> tips(anatomy.fingers.size(), nullptr);
+  for (const StatedFingertip& stated : config.fingertips) {
+    const int link = find_link(anatomy, stated.link);
+    if (link < 0) {
+      std::vector<std::string_view> known;
+      for (const ProfileLink& candidate : anatomy.links)
+        if (candidate.joint >= 0) known.push_back(candidate.name);
+      refuse_config(config, key, "no finger has a link \"" + stated.link + "\"", did_you_mean(stated.link, known));
+    }
+    const int joint = anatomy.links[link].joint;
+    const auto finger =
+        std::ranges::find_if(anatomy.fingers, [joint](const FingerAnatomy& f) { return f.joints.back() == joint; });
+    if (finger == anatomy.fingers.end())
+      refuse_config(config, key, "the last joint of a finger does not carry \"" + stated.link + "\"",
+                    "name a link on the last phalanx, or state \"fingers\" that end there");
+    const StatedFingertip*& tip = tips[finger - anatomy.fingers.begin()];
+    if (tip)
+      refuse_config(config, key, "\"" + tip->link + "\" and \"" + stated.link + "\" are on one finger",
+                    "a finger has one tip");
+    tip = &stated;
+  }
+  return tips;
+}
+
+Fingertip find_fingertip(const HandModel& model, const Anatomy& anatomy, const FingerAnatomy& finger,
+                         const StatedFingertip* stated) {
+  if (stated) return make_stated_tip(model, anatomy, *stated);
   const int last_joint = finger.joints.back();
   const std::vector<std::size_t> links = links_on(anatomy, last_joint);
   const Surface surface = measure_surface(model, anatomy, links);

@@ -4,12 +4,11 @@
 #include <array>
 #include <cmath>
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
-#include <numeric>
+#include <span>
 #include <string_view>
-#include <vector>
 
+#include "uhas/anatomy/nearest_name.hpp"
 #include "uhas/base/errors.hpp"
 
 namespace uhas {
@@ -19,90 +18,173 @@ using nlohmann::json;
 
 constexpr const char* kFormat = "uhas-hand-config";
 constexpr int kVersion = 1;
-constexpr std::array<std::string_view, 8> kKeys = {
-    "comment", "format", "handedness", "palm_link", "palm_normal_in_root", "q_closed", "q_open", "version"};
+constexpr std::size_t kMaxBytes = 1u << 20;
+constexpr int kMaxDepth = 8;
+constexpr std::array<std::string_view, 13> kKeys = {
+    "format",        "version",    "comment", "palm_link", "palm_normal_in_root", "fingers", "fingertips", "thumb",
+    "middle_finger", "handedness", "q_open",  "q_closed",  "joint_limits"};
+constexpr std::array<std::string_view, 3> kFingertipKeys = {"link", "point", "pad_normal"};
 
-/// Levenshtein distance: how many letters one has to insert, remove or change.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t change = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, change});
+/// Reads the keys of one document; every problem is an Error that names the file and the key.
+class ConfigReader {
+ public:
+  ConfigReader(const json& document, const std::string& file) : document_(document), file_(file) {
+    if (!document.is_object()) refuse("not a JSON object", "");
+    check_keys(document, kKeys, "");
+    check_format();
+  }
+
+  HandConfig read() const {
+    HandConfig config;
+    config.file = file_;
+    if (const std::string palm_link = read_string("palm_link"); !palm_link.empty()) config.palm_link = palm_link;
+    if (const json* normal = find("palm_normal_in_root"))
+      config.palm_normal_in_root = to_direction(*normal, "\"palm_normal_in_root\"");
+    config.fingers = read_fingers();
+    config.fingertips = read_fingertips();
+    config.thumb = read_finger_name("thumb");
+    config.middle_finger = read_finger_name("middle_finger");
+    config.handedness = read_handedness();
+    for (const auto& [joint, value] : read_joint_map("q_open"))
+      config.q_open[joint] = to_number(value, in_joint("q_open", joint));
+    for (const auto& [joint, value] : read_joint_map("q_closed"))
+      config.q_closed[joint] = to_number(value, in_joint("q_closed", joint));
+    for (const auto& [joint, value] : read_joint_map("joint_limits"))
+      config.joint_limits[joint] = to_limits(value, in_joint("joint_limits", joint));
+    return config;
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& problem, const std::string& remedy) const {
+    throw Error(ErrorCode::invalid_config, file_, problem, remedy);
+  }
+
+  void check_keys(const json& object, std::span<const std::string_view> known, const std::string& place) const {
+    for (const auto& [key, value] : object.items())
+      if (std::ranges::find(known, key) == known.end())
+        refuse(place + "unknown key \"" + key + "\"", did_you_mean(key, known));
+  }
+
+  void check_format() const {
+    if (const json* format = find("format"); format && *format != kFormat)
+      refuse("\"format\" is not \"" + std::string(kFormat) + "\"", "give a hand config");
+    if (const json* version = find("version"); version && *version != kVersion)
+      throw Error(ErrorCode::unsupported_version, file_,
+                  "hand config version " + version->dump() + ", this program reads version " + std::to_string(kVersion),
+                  "");
+  }
+
+  /// The value at `key`; null pointer when the key is absent.
+  const json* find(const char* key) const {
+    const auto entry = document_.find(key);
+    return entry == document_.end() ? nullptr : &*entry;
+  }
+
+  static std::string quoted(const std::string& key) { return "\"" + key + "\""; }
+  static std::string in_joint(const std::string& key, const std::string& joint) {
+    return quoted(key) + ": joint " + quoted(joint);
+  }
+
+  std::string to_name(const json& value, const std::string& what) const {
+    if (!value.is_string()) refuse(what + " is not a string", "");
+    return value.get<std::string>();
+  }
+
+  double to_number(const json& value, const std::string& what) const {
+    if (!value.is_number() || !std::isfinite(value.get<double>())) refuse(what + " has no finite number", "");
+    return value.get<double>();
+  }
+
+  Vector3d to_vector(const json& value, const std::string& what) const {
+    const auto is_number = [](const json& component) { return component.is_number(); };
+    if (!value.is_array() || value.size() != 3 || !std::ranges::all_of(value, is_number))
+      refuse(what + " is not a vector", "give three numbers, [x, y, z]");
+    const Vector3d vector{value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
+    if (!is_finite(vector)) refuse(what + " is not finite", "give three finite numbers");
+    return vector;
+  }
+
+  Vector3d to_direction(const json& value, const std::string& what) const {
+    const Vector3d direction = to_vector(value, what);
+    if (!(norm(direction) > 0)) refuse(what + " has no direction", "give a vector that is not zero");
+    return direction;
+  }
+
+  StatedLimits to_limits(const json& value, const std::string& what) const {
+    if (!value.is_array() || value.size() != 2) refuse(what + " has no limits", "give two numbers, [lower, upper]");
+    const StatedLimits limits{to_number(value[0], what), to_number(value[1], what)};
+    if (!(limits.lower < limits.upper)) refuse(what + ": the lower limit is not below the upper", "");
+    return limits;
+  }
+
+  /// The string at `key`; empty when the key is absent.
+  std::string read_string(const char* key) const {
+    const json* value = find(key);
+    return value ? to_name(*value, quoted(key)) : std::string();
+  }
+
+  std::optional<Handedness> read_handedness() const {
+    const std::string text = read_string("handedness");
+    if (text.empty()) return std::nullopt;
+    if (text == "right") return Handedness::right;
+    if (text == "left") return Handedness::left;
+    if (text == "none") return Handedness::none;
+    refuse("\"handedness\" is \"" + text + "\"", "use \"right\", \"left\" or \"none\"");
+  }
+
+  /// A joint's name; "" for null, which says that there is no such finger.
+  std::optional<std::string> read_finger_name(const char* key) const {
+    const json* value = find(key);
+    if (!value) return std::nullopt;
+    if (value->is_null()) return std::string();
+    if (!value->is_string() || value->get<std::string>().empty())
+      refuse(quoted(key) + " names no joint", "name a joint of that finger, or give null when the hand has none");
+    return value->get<std::string>();
+  }
+
+  std::vector<std::vector<std::string>> read_fingers() const {
+    std::vector<std::vector<std::string>> fingers;
+    const json* list = find("fingers");
+    if (!list) return fingers;
+    const auto is_list = [](const json& value) { return value.is_array() && !value.empty(); };
+    if (!is_list(*list) || !std::ranges::all_of(*list, is_list))
+      refuse("\"fingers\" is not a list of lists", "list the joints of each finger, root to tip");
+    for (const json& chain : *list) {
+      std::vector<std::string>& finger = fingers.emplace_back();
+      for (const json& joint : chain) finger.push_back(to_name(joint, "a joint in \"fingers\""));
     }
+    return fingers;
   }
-  return row.back();
-}
 
-[[noreturn]] void refuse(const std::string& path, const std::string& problem, const std::string& remedy) {
-  throw Error(ErrorCode::invalid_config, path, problem, remedy);
-}
-
-void check_keys(const json& document, const std::string& path) {
-  for (const auto& [key, value] : document.items()) {
-    if (std::find(kKeys.begin(), kKeys.end(), key) != kKeys.end()) continue;
-    const auto nearest = std::min_element(kKeys.begin(), kKeys.end(), [&key = key](auto a, auto b) {
-      return edit_distance(key, a) < edit_distance(key, b);
-    });
-    refuse(path, "unknown key \"" + key + "\"", "did you mean \"" + std::string(*nearest) + "\"?");
+  std::vector<StatedFingertip> read_fingertips() const {
+    std::vector<StatedFingertip> fingertips;
+    const json* list = find("fingertips");
+    if (!list) return fingertips;
+    const auto is_object = [](const json& value) { return value.is_object(); };
+    if (!list->is_array() || !std::ranges::all_of(*list, is_object))
+      refuse("\"fingertips\" is not a list of objects", "give [{\"link\": ...}, ...]");
+    for (const json& value : *list) {
+      check_keys(value, kFingertipKeys, "\"fingertips\": ");
+      if (!value.contains("link")) refuse("\"fingertips\": an element has no \"link\"", "name the link of the tip");
+      StatedFingertip& tip = fingertips.emplace_back();
+      tip.link = to_name(value.at("link"), "\"link\" of a fingertip");
+      if (value.contains("point")) tip.point = to_vector(value["point"], "\"point\" of fingertip " + quoted(tip.link));
+      if (value.contains("pad_normal"))
+        tip.pad_normal = to_direction(value["pad_normal"], "\"pad_normal\" of fingertip " + quoted(tip.link));
+    }
+    return fingertips;
   }
-}
 
-void check_format(const json& document, const std::string& path) {
-  if (document.contains("format") && document["format"] != kFormat)
-    refuse(path, "\"format\" is not \"" + std::string(kFormat) + "\"", "give a hand config");
-  if (document.contains("version") && document["version"] != kVersion)
-    throw Error(ErrorCode::unsupported_version, path,
-                "hand config version " + document["version"].dump() + ", this program reads version " +
-                    std::to_string(kVersion),
-                "");
-}
-
-/// The string at `key`; empty when the key is absent.
-std::string read_string(const json& document, const char* key, const std::string& path) {
-  if (!document.contains(key)) return {};
-  if (!document[key].is_string()) refuse(path, "\"" + std::string(key) + "\" is not a string", "");
-  return document[key].get<std::string>();
-}
-
-std::optional<Handedness> read_handedness(const json& document, const std::string& path) {
-  const std::string text = read_string(document, "handedness", path);
-  if (text.empty()) return std::nullopt;
-  if (text == "right") return Handedness::right;
-  if (text == "left") return Handedness::left;
-  if (text == "none") return Handedness::none;
-  refuse(path, "\"handedness\" is \"" + text + "\"", "use \"right\", \"left\" or \"none\"");
-}
-
-std::optional<Vector3d> read_direction(const json& document, const char* key, const std::string& path) {
-  if (!document.contains(key)) return std::nullopt;
-  const json& value = document[key];
-  const bool three_numbers =
-      value.is_array() && value.size() == 3 &&
-      std::all_of(value.begin(), value.end(), [](const json& component) { return component.is_number(); });
-  if (!three_numbers) refuse(path, "\"" + std::string(key) + "\" is not a list of three numbers", "");
-  const Vector3d direction{value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
-  if (!is_finite(direction) || !(norm(direction) > 0))
-    refuse(path, "\"" + std::string(key) + "\" has no direction", "give a finite vector that is not zero");
-  return direction;
-}
-
-std::map<std::string, double> read_joint_values(const json& document, const char* key, const std::string& path) {
-  std::map<std::string, double> values;
-  if (!document.contains(key)) return values;
-  const json& object = document[key];
-  if (!object.is_object()) refuse(path, "\"" + std::string(key) + "\" is not an object", "map joint names to numbers");
-  for (const auto& [joint, value] : object.items()) {
-    if (!value.is_number() || !std::isfinite(value.get<double>()))
-      refuse(path, "\"" + std::string(key) + "\": joint \"" + joint + "\" has no finite number", "");
-    values[joint] = value.get<double>();
+  std::map<std::string, json> read_joint_map(const char* key) const {
+    const json* object = find(key);
+    if (!object) return {};
+    if (!object->is_object()) refuse(quoted(key) + " is not an object", "map joint names to values");
+    return object->get<std::map<std::string, json>>();
   }
-  return values;
-}
+
+  const json& document_;
+  const std::string& file_;
+};
 
 const char* name_of(Handedness handedness) {
   switch (handedness) {
@@ -113,46 +195,68 @@ const char* name_of(Handedness handedness) {
   return "none";
 }
 
+json to_json(Vector3d v) { return {v.x, v.y, v.z}; }
+
+json to_json(const std::string& finger_name) { return finger_name.empty() ? json(nullptr) : json(finger_name); }
+
+json to_json(const StatedFingertip& tip) {
+  json object = {{"link", tip.link}};
+  if (tip.point) object["point"] = to_json(*tip.point);
+  if (tip.pad_normal) object["pad_normal"] = to_json(*tip.pad_normal);
+  return object;
+}
+
 }  // namespace
+
+std::string doubt(const Finding& finding) {
+  if (finding.confidence >= 0.5) return "";
+  return "doubtful " + finding.item + ": " + finding.value + " (" + finding.reason + "); set \"" + finding.item +
+         "\" in a hand config if it is wrong";
+}
 
 HandConfig read_hand_config(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw Error(ErrorCode::file_unreadable, path, "cannot be read", "check the path and its permissions");
-  return parse_hand_config({std::istreambuf_iterator<char>(file), {}}, path);
+  std::string text(kMaxBytes + 1, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (!file.is_open() || file.bad())
+    throw Error(ErrorCode::file_unreadable, path, "cannot be read", "check the path and its permissions");
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (text.size() > kMaxBytes)
+    throw Error(ErrorCode::limit_exceeded, path,
+                "has more than the " + std::to_string(kMaxBytes) + " bytes allowed for a hand config", "");
+  return parse_hand_config(text, path);
 }
 
-HandConfig parse_hand_config(const std::string& text, const std::string& path) {
+HandConfig parse_hand_config(const std::string& text, const std::string& file) {
   json document;
   try {
-    document = json::parse(text);
+    document = json::parse(text, [&file](int depth, json::parse_event_t, const json&) {
+      if (depth > kMaxDepth) throw Error(ErrorCode::syntax, file, "nested too deeply for a hand config", "");
+      return true;
+    });
   } catch (const json::parse_error& error) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
     const auto line = 1 + std::count(text.begin(), end, '\n');
-    throw Error(ErrorCode::syntax, path + ":" + std::to_string(line), "not valid JSON", "");
+    throw Error(ErrorCode::syntax, file + ":" + std::to_string(line), "not valid JSON", "");
   } catch (const json::exception&) {
-    refuse(path, "a number is beyond the range of double", "");
+    throw Error(ErrorCode::invalid_config, file, "a number is beyond the range of double", "");
   }
-  if (!document.is_object()) refuse(path, "not a JSON object", "");
-  check_keys(document, path);
-  check_format(document, path);
-
-  HandConfig config;
-  if (const std::string palm_link = read_string(document, "palm_link", path); !palm_link.empty())
-    config.palm_link = palm_link;
-  config.palm_normal_in_root = read_direction(document, "palm_normal_in_root", path);
-  config.handedness = read_handedness(document, path);
-  config.q_open = read_joint_values(document, "q_open", path);
-  config.q_closed = read_joint_values(document, "q_closed", path);
-  return config;
+  return ConfigReader(document, file).read();
 }
 
 std::string to_canonical_json(const HandConfig& config) {
   json document = json::object();  // nlohmann::json keeps keys sorted
   if (config.palm_link) document["palm_link"] = *config.palm_link;
-  if (const auto& n = config.palm_normal_in_root) document["palm_normal_in_root"] = {n->x, n->y, n->z};
+  if (config.palm_normal_in_root) document["palm_normal_in_root"] = to_json(*config.palm_normal_in_root);
+  if (!config.fingers.empty()) document["fingers"] = config.fingers;
+  for (const StatedFingertip& tip : config.fingertips) document["fingertips"].push_back(to_json(tip));
+  if (config.thumb) document["thumb"] = to_json(*config.thumb);
+  if (config.middle_finger) document["middle_finger"] = to_json(*config.middle_finger);
   if (config.handedness) document["handedness"] = name_of(*config.handedness);
   if (!config.q_open.empty()) document["q_open"] = config.q_open;
   if (!config.q_closed.empty()) document["q_closed"] = config.q_closed;
+  for (const auto& [joint, limits] : config.joint_limits)
+    document["joint_limits"][joint] = {limits.lower, limits.upper};
   return document.dump();
 }
 

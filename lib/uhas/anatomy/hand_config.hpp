@@ -4,23 +4,49 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "uhas/base/vector3.hpp"
 #include "uhas/profile/hand_profile.hpp"
 
 namespace uhas {
 
-/// Every key is optional and overrides one inferred item.
-struct HandConfig {
-  std::optional<std::string> palm_link;
-  std::optional<Vector3d> palm_normal_in_root;  ///< outward, any length; root link frame, non-finger joints at zero
-  std::optional<Handedness> handedness;
-  std::map<std::string, double> q_open;    ///< joint name -> rad or m
-  std::map<std::string, double> q_closed;  ///< joint name -> rad or m
+/// The reason of a finding whose item the config states.
+inline constexpr const char* kStatedInConfig = "stated in the hand config";
+
+/// The warning about a finding with a confidence below 0.5, which names the key to set; "" for any other.
+std::string doubt(const Finding& finding);
+
+/// The tip of the finger whose last joint carries `link`.
+struct StatedFingertip {
+  std::string link;
+  std::optional<Vector3d> point;       ///< in the link's frame (m); else the far end of its surface, or its origin
+  std::optional<Vector3d> pad_normal;  ///< outward, any length, in the link's frame; else the way the finger closes
 };
 
-/// Reads a hand config from a JSON file; "" and absent keys mean "infer".
-/// Throws Error: file_unreadable, syntax, invalid_config (an unknown key names the nearest known one).
+struct StatedLimits {
+  double lower = 0, upper = 0;  ///< rad or m; lower < upper
+};
+
+/// Every key is optional and overrides one inferred item; the names are those of the JSON keys and of the findings.
+struct HandConfig {
+  std::string file;  ///< where it was read: errors begin with it; not part of what is stated
+
+  std::optional<std::string> palm_link;
+  std::optional<Vector3d> palm_normal_in_root;    ///< outward, any length; root link frame, non-finger joints at zero
+  std::vector<std::vector<std::string>> fingers;  ///< every joint of each finger, root to tip; empty = infer
+  std::vector<StatedFingertip> fingertips;        ///< of some fingers or of all, in any order
+  std::optional<std::string> thumb;               ///< a joint of that finger alone; "" = the hand has no thumb
+  std::optional<std::string> middle_finger;       ///< a joint of that finger alone; "" = the hand has none
+  std::optional<Handedness> handedness;
+  std::map<std::string, double> q_open;              ///< independent joint -> rad or m
+  std::map<std::string, double> q_closed;            ///< independent joint -> rad or m
+  std::map<std::string, StatedLimits> joint_limits;  ///< joint -> limits within those of the URDF
+};
+
+/// Reads a hand config from a JSON file of at most 1 MiB; absent keys, and "" for a link or a handedness, mean "infer".
+/// Throws Error: file_unreadable, limit_exceeded, syntax, unsupported_version, invalid_config (an unknown key names the
+/// nearest known one).
 HandConfig read_hand_config(const std::string& path);
 
 /// The same from JSON text; `file` names its source in errors.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "uhas/anatomy/config_names.hpp"
 #include "uhas/runtime/forward_kinematics.hpp"
 
 namespace uhas {
@@ -28,7 +29,8 @@ std::vector<double> clipped_zero(const KinematicTree& tree) {
   return q;
 }
 
-/// Narrows each master's limits until its followers stay within theirs too; a follower that no master value suits is reported.
+/// Narrows each master's limits until its followers stay within theirs too; a follower that no master value suits is
+/// reported.
 void narrow_masters(Anatomy& anatomy) {
   for (const Joint& follower : anatomy.tree.joints) {
     if (follower.mimic_master < 0 || follower.mimic_multiplier == 0) continue;
@@ -47,7 +49,7 @@ void narrow_masters(Anatomy& anatomy) {
 
 }  // namespace
 
-Anatomy make_palm_tree(const HandModel& model, const FingerChains& found) {
+Anatomy make_palm_tree(const HandModel& model, const FingerChains& found, const HandConfig& config) {
   const std::vector<Joint>& joints = model.tree.joints;
   const ModelLink& palm = model.links[found.palm_link];
   const std::vector<bool> selected = select_joints(model, found);
@@ -92,6 +94,7 @@ Anatomy make_palm_tree(const HandModel& model, const FingerChains& found) {
   }
   for (Joint& joint : anatomy.tree.joints)
     if (joint.mimic_master >= 0) joint.mimic_master = tree_index[joint.mimic_master];
+  narrow_joint_limits(anatomy.tree, config);
   narrow_masters(anatomy);
 
   for (std::size_t i = 0; i < model.links.size(); ++i) {

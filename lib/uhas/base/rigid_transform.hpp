@@ -19,6 +19,10 @@ struct RigidTransform {
   }
   friend constexpr bool operator==(const RigidTransform& A, const RigidTransform& B) = default;
 
+  template <class To>
+  constexpr RigidTransform<To> cast() const {
+    return {rotation.template cast<To>(), translation.template cast<To>()};
+  }
   constexpr RigidTransform inverse() const {
     const Rotation<Real> Rt = rotation.transposed();
     return {Rt, -(Rt * translation)};

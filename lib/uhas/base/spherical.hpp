@@ -20,8 +20,9 @@ struct Spherical {
 template <class Real>
 Real wrap_angle(Real angle) {
   constexpr Real pi = std::numbers::pi_v<Real>;
+  if (angle > -pi && angle <= pi) return angle;
   const Real wrapped = angle - Real(2) * pi * std::ceil((angle - pi) / (Real(2) * pi));
-  return wrapped <= -pi ? pi : wrapped;
+  return wrapped <= -pi || wrapped > pi ? pi : wrapped;  // rounding may step over either end
 }
 
 /// Spherical coordinates of `p` in S. The centre has azimuth 0 and polar angle pi / 2.

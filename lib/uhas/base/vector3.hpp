@@ -20,6 +20,12 @@ struct Vector3 {
   constexpr Vector3& operator+=(Vector3 b) { return *this = *this + b; }
   constexpr Vector3& operator-=(Vector3 b) { return *this = *this - b; }
   friend constexpr bool operator==(Vector3 a, Vector3 b) = default;
+
+  /// The same numbers in another type.
+  template <class To>
+  constexpr Vector3<To> cast() const {
+    return {static_cast<To>(x), static_cast<To>(y), static_cast<To>(z)};
+  }
 };
 
 template <class Real>
@@ -80,6 +86,12 @@ struct Rotation {
   }
   friend constexpr bool operator==(const Rotation& A, const Rotation& B) = default;
 
+  template <class To>
+  constexpr Rotation<To> cast() const {
+    Rotation<To> R;
+    for (int i = 0; i < 9; ++i) R.m[i] = static_cast<To>(m[i]);
+    return R;
+  }
   constexpr Rotation transposed() const { return {{m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]}}; }
   constexpr Vector3<Real> column(int j) const { return {m[j], m[3 + j], m[6 + j]}; }
 

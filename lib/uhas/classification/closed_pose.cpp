@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
-#include "uhas/base/errors.hpp"
+#include "uhas/anatomy/config_names.hpp"
 #include "uhas/classification/finger_sweep_detail.hpp"
 #include "uhas/runtime/forward_kinematics.hpp"
 
@@ -25,35 +26,42 @@ double least_distance(const Anatomy& anatomy, const SphereFrame& frame, int join
   return least;
 }
 
+/// The end of a positive turn about the way from the sphere's centre to the open fingertips (on a left hand of a negative
+/// one, its mirror image): the same end whichever sign the joint's axis has.
+double conventional_end(const Anatomy& anatomy, const SphereFrame& frame, int joint) {
+  const Joint& j = anatomy.tree.joints[joint];
+  std::vector<RigidTransformd> T_palm_joint(anatomy.tree.joints.size());
+  forward_kinematics(anatomy.tree, anatomy.q_open, T_palm_joint);
+  const Vector3d axis = frame.T_palm_sphere.rotation.transposed() * (T_palm_joint[joint].rotation * j.axis);
+  Vector3d to_tips;
+  for (int f : fingers_moved(anatomy, joint)) to_tips += fingertip_in_sphere(anatomy, frame, f, anatomy.q_open);
+  const bool reversed = frame.mirrored && j.kind != JointKind::prismatic;
+  return (dot(axis, to_tips) < 0) != reversed ? j.lower : j.upper;
+}
+
 double closed_end(const Anatomy& anatomy, const SphereFrame& frame, int joint) {
   const Joint& j = anatomy.tree.joints[joint];
-  const double larger_side = j.upper - anatomy.q_open[joint] >= anatomy.q_open[joint] - j.lower ? j.upper : j.lower;
-  if (fingers_moved(anatomy, joint).empty()) return larger_side;
-  constexpr double tie = 1e-3;  // radii
-  const double below = least_distance(anatomy, frame, joint, j.lower), above = least_distance(anatomy, frame, joint, j.upper);
-  if (std::abs(below - above) < tie) return larger_side;
-  return below < above ? j.lower : j.upper;
+  constexpr double tie = 1e-3;        // radii
+  constexpr double equal_range = 1e-6;  // of the range
+  if (!fingers_moved(anatomy, joint).empty()) {
+    const double below = least_distance(anatomy, frame, joint, j.lower);
+    const double above = least_distance(anatomy, frame, joint, j.upper);
+    if (std::abs(below - above) >= tie) return below < above ? j.lower : j.upper;
+  }
+  const double range_below = anatomy.q_open[joint] - j.lower, range_above = j.upper - anatomy.q_open[joint];
+  if (std::abs(range_above - range_below) <= equal_range * (j.upper - j.lower))
+    return conventional_end(anatomy, frame, joint);
+  return range_above > range_below ? j.upper : j.lower;
 }
 
 }  // namespace
 
 std::vector<double> find_closed_pose(const Anatomy& anatomy, const SphereFrame& frame, const HandConfig& config) {
+  const std::vector<std::optional<double>> stated =
+      resolve_joint_values(anatomy.tree, config.q_closed, config, "q_closed");
   std::vector<double> q_closed(anatomy.tree.joints.size());
-  for (int i = 0; i < static_cast<int>(q_closed.size()); ++i) {
-    const Joint& joint = anatomy.tree.joints[i];
-    if (joint.mimic_master >= 0) continue;
-    const auto stated = config.q_closed.find(joint.name);
-    if (stated != config.q_closed.end() && !(stated->second >= joint.lower && stated->second <= joint.upper))
-      throw Error(ErrorCode::invalid_config, "", "q_closed of joint '" + joint.name + "' lies outside the joint's limits",
-                  "choose a value within them");
-    q_closed[i] = stated != config.q_closed.end() ? stated->second : closed_end(anatomy, frame, i);
-  }
-  for (const auto& [name, value] : config.q_closed) {
-    const auto named = [&](const Joint& joint) { return joint.name == name && joint.mimic_master < 0; };
-    if (std::none_of(anatomy.tree.joints.begin(), anatomy.tree.joints.end(), named))
-      throw Error(ErrorCode::invalid_config, "", "q_closed names '" + name + "', which is no independent joint of a finger",
-                  "name a joint of the URDF");
-  }
+  for (int i = 0; i < static_cast<int>(q_closed.size()); ++i)
+    if (anatomy.tree.joints[i].mimic_master < 0) q_closed[i] = stated[i] ? *stated[i] : closed_end(anatomy, frame, i);
   apply_mimics(anatomy.tree, q_closed);
   return q_closed;
 }

@@ -52,15 +52,28 @@ Vector3d fibonacci_direction(int i, int count) {
 /// Between canonical and physical coordinates of S on a mirrored hand (design 2); its own inverse.
 Vector3d mirror(Vector3d p) { return {p.x, -p.y, p.z}; }
 
+/// Sample `i` of `count` in S. A left hand gets the mirror image of a right hand's; a hand that is neither gets every
+/// direction with its mirror image, for its mirror image is such a hand too.
+Vector3d sample_direction(int i, int count, Handedness handedness) {
+  if (handedness == Handedness::none) {
+    const Vector3d direction = fibonacci_direction(i / 2, (count + 1) / 2);
+    return i % 2 == 0 ? direction : mirror(direction);
+  }
+  const Vector3d direction = fibonacci_direction(i, count);
+  return handedness == Handedness::left ? mirror(direction) : direction;
+}
+
 std::vector<std::string> missing_links(const HandModel& model, const Anatomy& anatomy, std::span<const LinkHits> hits) {
   std::vector<std::string> warnings;
   for (std::size_t i = 0; i < anatomy.links.size(); ++i) {
     const ProfileLink& link = anatomy.links[i];
     const bool has_mesh = !model.links[anatomy.model_links[i]].mesh.triangles.empty();
     if (link.joint < 0 || !has_mesh || hits[i].kept > 0) continue;
-    warnings.push_back("link '" + link.name + "' has no correspondence: of the rays from the sphere's centre " +
-                       std::to_string(hits[i].too_far) + " met it too far from the sphere and " +
-                       std::to_string(hits[i].facing_away) + " from behind");
+    const bool unseen = hits[i].too_far == 0 && hits[i].facing_away == 0;
+    warnings.push_back("link '" + link.name + "' has no surface point: " +
+                       (unseen ? std::string("other links hide it from the sphere's centre")
+                               : std::to_string(hits[i].too_far) + " rays from the sphere's centre met it too far from the sphere, " +
+                                     std::to_string(hits[i].facing_away) + " from behind"));
   }
   return warnings;
 }
@@ -81,8 +94,7 @@ Correspondences project_sphere_samples(const HandModel& model, const Anatomy& an
   Correspondences result;
   result.hits.resize(anatomy.links.size());
   for (int sample = 0; sample < options.samples; ++sample) {
-    const Vector3d canonical = fibonacci_direction(sample, options.samples);
-    const Vector3d direction = frame.mirrored ? mirror(canonical) : canonical;
+    const Vector3d direction = sample_direction(sample, options.samples, anatomy.handedness);
     const std::optional<TriangleHit> hit = caster.first_hit({}, direction);
     if (!hit) continue;
     LinkHits& hits = result.hits[hit->mesh];

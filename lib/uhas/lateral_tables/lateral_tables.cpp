@@ -163,16 +163,20 @@ LateralTable build_table(const Hand& hand, int joint, int finger, const std::vec
   const std::vector<Sample> stretch = sweep(hand, joint, finger, q, whole[first].q, whole[last].q, steps | 1);
   const auto [begin, end] = stretch_of(stretch);
   const int half = (end - begin) / 2;
-  const int middle = begin + half;
+  // an odd number of steps has no sample in the middle: the slower end goes, whichever way the joint counts
+  const auto speed = [&](int k) { return std::abs(stretch[k + 1].theta - stretch[k].theta); };
+  const int spare = (end - begin) % 2 == 1 && speed(begin) < speed(end - 1) ? 1 : 0;
+  const int middle = begin + spare + half;
   for (int k = middle - half; k <= middle + half; ++k) {
     table.q.push_back(stretch[k].q);
     table.theta.push_back(stretch[k].theta);
   }
   table.neutral = stretch[middle].q;
   // keep theta_initial within (-pi, pi], the rest of the table unwrapped about it
-  const double turns = wrap_angle(stretch[middle].theta) - stretch[middle].theta;
+  table.theta_initial = wrap_angle(stretch[middle].theta);
+  const double turns = table.theta_initial - stretch[middle].theta;
   for (double& theta : table.theta) theta += turns;
-  table.theta_initial = table.theta[half];
+  table.theta[half] = table.theta_initial;  // whatever rounding made of it
   table.delta_theta_lower = std::min(table.theta.front(), table.theta.back()) - table.theta_initial;
   table.delta_theta_upper = std::max(table.theta.front(), table.theta.back()) - table.theta_initial;
   fill_inverse(table);

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "uhas/base/spherical.hpp"
+#include "uhas/classification/closed_pose_finding.hpp"
 #include "uhas/profile_builder/settings_json.hpp"
 
 namespace uhas {
@@ -38,8 +40,7 @@ ProfileFinger profile_finger(const BuildStages& stages, int index) {
       to_spherical(fingertip_in_sphere(stages.anatomy, frame, index, stages.lateral_tables.q_sphere));
   finger.tip_phi = tip.polar;
   finger.theta_initial = finger.lateral_table >= 0 ? stages.lateral_tables.tables[finger.lateral_table].theta_initial
-                         : frame.mirrored          ? wrap_angle(-tip.azimuth)
-                                                   : tip.azimuth;
+                                                   : wrap_angle(frame.mirrored ? -tip.azimuth : tip.azimuth);
   return finger;
 }
 
@@ -47,15 +48,18 @@ ProfileFinger profile_finger(const BuildStages& stages, int index) {
 
 BuildStages run_stages(const std::string& urdf_path, const BuildSettings& settings, Stage last,
                        const StageListener& listener) {
+  if (listener) listener("reading the URDF and its meshes");
+  return run_stages(load_hand_model(urdf_path, settings.load), settings, last, listener);
+}
+
+BuildStages run_stages(HandModel model, const BuildSettings& settings, Stage last, const StageListener& listener) {
   BuildStages stages;
+  stages.model = std::move(model);
   const auto begin = [&](Stage stage, const char* name) {
     if (stage > last) return false;
     if (listener) listener(name);
     return true;
   };
-
-  if (!begin(Stage::model, "reading the URDF and its meshes")) return stages;
-  stages.model = load_hand_model(urdf_path, settings.load);
 
   if (!begin(Stage::anatomy, "finding palm and fingers")) return stages;
   stages.anatomy = infer_anatomy(stages.model, settings.config);
@@ -66,6 +70,8 @@ BuildStages run_stages(const std::string& urdf_path, const BuildSettings& settin
   if (!begin(Stage::classification, "classifying joints")) return stages;
   stages.q_closed = find_closed_pose(stages.anatomy, stages.sphere_frame, settings.config);
   stages.joint_classes = classify_joints(stages.anatomy, stages.sphere_frame, stages.q_closed);
+  stages.closed_pose =
+      explain_closed_pose(stages.anatomy, stages.sphere_frame, stages.joint_classes, stages.q_closed, settings.config);
 
   if (!begin(Stage::lateral_tables, "wrapping the hand and sweeping lateral joints")) return stages;
   stages.lateral_tables = build_lateral_tables(stages.anatomy, stages.sphere_frame, stages.joint_classes,
@@ -78,11 +84,19 @@ BuildStages run_stages(const std::string& urdf_path, const BuildSettings& settin
 }
 
 std::vector<std::string> stage_warnings(const BuildStages& stages) {
+  const std::string doubtful = doubt(stages.closed_pose);
+  const std::vector<std::string> closed_pose_warnings(doubtful.empty() ? 0 : 1, doubtful);
   std::vector<std::string> all;
-  for (const auto* warnings : {&stages.model.warnings, &stages.anatomy.warnings, &stages.lateral_tables.warnings,
-                               &stages.correspondences.warnings})
+  for (const auto* warnings : {&stages.model.warnings, &stages.anatomy.warnings, &closed_pose_warnings,
+                               &stages.lateral_tables.warnings, &stages.correspondences.warnings})
     all.insert(all.end(), warnings->begin(), warnings->end());
   return all;
+}
+
+std::vector<Finding> stage_findings(const BuildStages& stages) {
+  std::vector<Finding> findings = stages.anatomy.findings;
+  findings.push_back(stages.closed_pose);
+  return findings;
 }
 
 std::vector<int> fingers_by_slot(const SphereFrame& frame) {
@@ -121,7 +135,7 @@ HandProfile make_profile(const BuildStages& stages, const BuildSettings& setting
   profile.lateral_tables = stages.lateral_tables.tables;
   profile.correspondences = stages.correspondences.points;
 
-  profile.findings = anatomy.findings;
+  profile.findings = stage_findings(stages);
   profile.warnings = stage_warnings(stages);
   profile.settings_json = to_canonical_json(settings);
   profile.sources = stages.model.sources;

@@ -26,6 +26,7 @@ struct BuildStages {
   SphereFrame sphere_frame;
   std::vector<double> q_closed;
   std::vector<JointClassification> joint_classes;
+  Finding closed_pose;  ///< how far `q_closed` can be trusted
   LateralTables lateral_tables;
   Correspondences correspondences;
 };
@@ -39,8 +40,14 @@ using StageListener = std::function<void(const char* stage)>;
 BuildStages run_stages(const std::string& urdf_path, const BuildSettings& settings, Stage last,
                        const StageListener& listener = {});
 
+/// The same on a model that has been read already.
+BuildStages run_stages(HandModel model, const BuildSettings& settings, Stage last, const StageListener& listener = {});
+
 /// The warnings of every stage that has run, in the order of the stages.
 std::vector<std::string> stage_warnings(const BuildStages& stages);
+
+/// What was inferred or stated, an element an item of the hand config. Needs the stages up to Stage::classification.
+std::vector<Finding> stage_findings(const BuildStages& stages);
 
 /// Indices into `Anatomy::fingers`, ordered by the first slot a finger owns: the order of `HandProfile::fingers`.
 std::vector<int> fingers_by_slot(const SphereFrame& frame);

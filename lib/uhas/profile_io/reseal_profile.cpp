@@ -10,7 +10,8 @@ void reseal_profile(const std::string& path) {
   std::vector<std::byte> bytes = read_file(path, detail::kMaxProfileBytes);
   const std::optional<detail::FormatVersion> version = detail::stated_version(bytes);
   if (!version || bytes.size() <= detail::kUserBlockBytes)
-    throw detail::profile_error(path, "this is not a hand profile: it does not begin with 'uhas-hand-profile'");
+    throw detail::profile_error(path, "this is not a hand profile: it does not begin with 'uhas-hand-profile'",
+                                "name a file that uhas-build-profile wrote");
   detail::write_user_block(bytes, *version);
   detail::check_user_block(bytes, path);  // of a version that this library reads
   detail::profile_of_image(bytes, *version, path);

@@ -45,7 +45,9 @@ void write_user_block(std::span<std::byte> file, FormatVersion version) {
 FormatVersion check_user_block(std::span<const std::byte> file, const std::string& path) {
   if (file.empty()) throw profile_error(path, "the file is empty");
   const std::optional<FormatVersion> version = stated_version(file);
-  if (!version) throw profile_error(path, "this is not a hand profile: it does not begin with 'uhas-hand-profile'");
+  if (!version)
+    throw profile_error(path, "this is not a hand profile: it does not begin with 'uhas-hand-profile'",
+                        "name a file that uhas-build-profile wrote");
   if (version->major != kProfileVersionMajor)
     throw Error(ErrorCode::unsupported_version, path,
                 "the profile has format version " + std::to_string(version->major) + "." +

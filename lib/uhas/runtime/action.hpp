@@ -14,7 +14,7 @@ namespace uhas {
 template <class Real>
 struct Action {
   std::span<const Real> values;               ///< [5 + 5 V], V = 1..4
-  std::span<const Real> driving_vectors_phi;  ///< [V] or [5 V] polar angles, strictly increasing in (0, pi); empty = pi j / (V + 1)
+  std::span<const Real> driving_vectors_phi{};  ///< [V] or [5 V] polar angles, strictly increasing in (0, pi); empty = pi j / (V + 1)
   bool normalized = false;                    ///< values in [-1, 1]: 0 maps to 0, -1 and 1 to the bounds, linear between
 };
 
@@ -23,6 +23,7 @@ template <class Real>
 struct PlaneDeformation {
   Real delta_theta{};                              ///< rad, canonical
   int vectors = 2;                                 ///< V
+  bool default_angles = true;                      ///< `phi` are pi j / (V + 1)
   std::array<Real, kMaxDrivingVectors> phi{};      ///< [V] polar angles of the driving vectors
   std::array<Real, kMaxDrivingVectors> delta_r{};  ///< [V] displacements, radii
 

@@ -11,6 +11,12 @@
 
 namespace uhas {
 
+/// Polar angle of driving vector `j` of `vectors` unless a call places it.
+template <class Real>
+Real default_driving_angle(int vectors, int j) {
+  return std::numbers::pi_v<Real> * Real(j + 1) / Real(vectors + 1);
+}
+
 template <class Real>
 class ActionDecoder {
  public:
@@ -40,6 +46,7 @@ class ActionDecoder {
       const Owner& owner = owners_[f];
       PlaneDeformation<Real> plane;
       plane.vectors = vectors;
+      plane.default_angles = angles == 0;
       int shared = 0;
       for (int slot = 0; slot < kSlotCount; ++slot) {
         if (!owner.slots[slot]) continue;
@@ -70,7 +77,7 @@ class ActionDecoder {
   }
 
   static Real driving_angle(std::span<const Real> angles, int vectors, int slot, int j) noexcept {
-    if (angles.empty()) return std::numbers::pi_v<Real> * Real(j + 1) / Real(vectors + 1);
+    if (angles.empty()) return default_driving_angle<Real>(vectors, j);
     return angles.size() == std::size_t(vectors) ? angles[j] : angles[vectors * slot + j];
   }
 

@@ -13,12 +13,6 @@ namespace {
 /// Factor on a point's weight for each unknown between it and the joint being solved, in the first pass (design 3.8).
 constexpr double kDecay = 0.3;
 
-template <class Real>
-RigidTransform<Real> motion(const SolverJoint<Real>& joint, Real q) {
-  if (joint.prismatic) return {{}, q * joint.axis};
-  return {Rotation<Real>::about(joint.axis, q), {}};
-}
-
 }  // namespace
 
 template <class Real>
@@ -28,7 +22,8 @@ Cascade<Real>::Cascade(const SolverModel<Real>& model)
       at_limit(model.joints.size()),
       closed(model.joints.size()),
       group_planes_(model.plane_groups.size()),
-      targets_(model.points.size()),
+      values_(model.joints.size()),
+      T_parent_moved_(model.joints.size()),
       T_moved_(model.joints.size()),
       own_(model.joints.size()),
       carried_(model.joints.size()),
@@ -36,14 +31,13 @@ Cascade<Real>::Cascade(const SolverModel<Real>& model)
 
 template <class Real>
 void Cascade<Real>::run(const SolverModel<Real>& model) noexcept {
-  average_planes(model);
+  if (model.options.field == FieldReading::field) average_planes(model);
   begin_joints(model);
-  place_targets(model);
+  sum_targets(model);
   const int passes = model.options.rule == Rule::contact ? 1 : model.options.passes;
   for (int pass = 0; pass < passes; ++pass) {
     // the decay rises to 1 over the passes: the last ones descend on the plain weights
-    const double progress = passes > 1 ? double(pass) / double(passes - 1) : 0.0;
-    decay_ = static_cast<Real>(std::pow(kDecay, 1.0 - progress));
+    decay_ = static_cast<Real>(passes > 1 ? std::pow(kDecay, 1.0 - double(pass) / double(passes - 1)) : kDecay);
     sweep(model);
   }
   close_faded(model);
@@ -72,56 +66,90 @@ void Cascade<Real>::average_planes(const SolverModel<Real>& model) noexcept {
   }
 }
 
+template <class Real>
+void Cascade<Real>::set_joint(const SolverModel<Real>& model, int joint, const JointValue<Real>& value) noexcept {
+  values_[joint] = value;
+  T_parent_moved_[joint] = model.joints[joint].moved(model.joints[joint].T_parent_joint, value);
+}
+
+template <class Real>
+void Cascade<Real>::set_unknown(const SolverModel<Real>& model, const SolverStep& step, const JointValue<Real>& value) noexcept {
+  set_joint(model, step.joint, value);
+  for (int i : step.driven)
+    if (i != step.joint) set_joint(model, i, model.joints[i].value(model.joints[i].multiplier * value.q + model.joints[i].offset));
+}
+
 // joint values before the cascade: lateral joints by table, all others where the rule starts from
 template <class Real>
 void Cascade<Real>::begin_joints(const SolverModel<Real>& model) noexcept {
-  for (std::size_t i = 0; i < q.size(); ++i) q[i] = model.joints[i].q_start;
-  for (const SolverLateral<Real>& lateral : model.laterals)
-    q[lateral.joint] = look_up_lateral<Real>(lateral.inverse_q, lateral.lower, lateral.upper,
-                                             plane_of(model, lateral.finger).delta_theta);
-  for (std::size_t i = 0; i < q.size(); ++i) {
+  for (std::size_t i = 0; i < values_.size(); ++i) set_joint(model, static_cast<int>(i), model.joints[i].start);
+  for (const SolverLateral<Real>& lateral : model.laterals) {
+    const Real value = look_up_lateral<Real>(lateral.inverse_q, lateral.lower, lateral.upper, plane_of(model, lateral.finger).delta_theta);
+    if (value != values_[lateral.joint].q) set_joint(model, lateral.joint, model.joints[lateral.joint].value(value));
+  }
+  for (std::size_t i = 0; i < values_.size(); ++i) {
     const SolverJoint<Real>& joint = model.joints[i];
-    if (joint.master >= 0) q[i] = joint.multiplier * q[joint.master] + joint.offset;
+    if (joint.master >= 0) set_joint(model, static_cast<int>(i), joint.value(joint.multiplier * values_[joint.master].q + joint.offset));
   }
   std::fill(at_limit.begin(), at_limit.end(), std::uint8_t{0});
   std::fill(closed.begin(), closed.end(), std::uint8_t{0});
 }
 
-// every point's target on the deformed sphere, and the moments of each link's points (design 3.7)
+// where a material point goes before the azimuth turns, and what closing leaves of it (design 3.7 and 3.8)
 template <class Real>
-void Cascade<Real>::place_targets(const SolverModel<Real>& model) noexcept {
-  std::fill(own_.begin(), own_.end(), PointMoments<Real>{});
+typename Cascade<Real>::Target Cascade<Real>::target_of(const SolverModel<Real>& model, const SolverPoint<Real>& point) const noexcept {
   const bool field = model.options.field == FieldReading::field;
-  int turned_finger = -1;
-  Real c = 1, s = 0;
-  for (std::size_t k = 0; k < model.points.size(); ++k) {
-    const SolverPoint<Real>& point = model.points[k];
-    const PlaneDeformation<Real>& before = field ? group_planes_[point.plane_before] : planes[point.finger];
-    const PlaneDeformation<Real>& after = field ? group_planes_[point.plane_after] : before;
-    const auto between = [&](Real a, Real b) { return field ? a + point.blend * (b - a) : a; };
-    const auto radial = [&](Real phi) { return field ? between(before.radial(phi), after.radial(phi)) : before.radial(phi); };
+  const PlaneDeformation<Real>& before = field ? group_planes_[point.plane_before] : planes[point.finger];
+  const PlaneDeformation<Real>& after = field ? group_planes_[point.plane_after] : before;
+  const auto between = [&](Real a, Real b) { return field ? a + point.blend * (b - a) : a; };
+  const auto radial = [&](Real phi) { return field ? between(before.radial(phi), after.radial(phi)) : before.radial(phi); };
 
-    // the points of a finger turn together, those of the field each by its own angle
-    if (field || turned_finger != point.finger) {
-      const Real turn = model.azimuth_sign * between(before.delta_theta, after.delta_theta);
-      c = std::cos(turn), s = std::sin(turn);
-      turned_finger = point.finger;
-    }
-    const Real delta_r = radial(point.phi);
-    Real share;
-    if (model.options.closing == Closing::hard) {
-      share = Real(1) + delta_r < Real(0) ? Real(0) : Real(1);
-    } else {
-      // the anchored pole must not keep a root open, so short of the first driving vector that one decides
-      const Real first_phi = between(before.phi[0], after.phi[0]);
-      const Real u = std::clamp((Real(1) + (point.phi < first_phi ? radial(first_phi) : delta_r)) * Real(2), Real(0), Real(1));
-      share = u * u * (Real(3) - Real(2) * u);
-    }
-    const Real radius = std::max(point.rho + delta_r, Real(0));
-    const Vector3<Real> n = point.direction;
-    targets_[k] = {radius * Vector3<Real>{c * n.x - s * n.y, s * n.x + c * n.y, n.z}, share};
-    own_[point.joint].add(point.weight, share, point.p, targets_[k].t);
+  const Real delta_r = radial(point.phi);
+  Real share = Real(1) + delta_r < Real(0) ? Real(0) : Real(1);
+  if (model.options.closing == Closing::fade) {
+    // the anchored pole must not keep a root open, so short of the first driving vector that one decides
+    const Real first_phi = between(before.phi[0], after.phi[0]);
+    const Real u = std::clamp((Real(1) + (point.phi < first_phi ? radial(first_phi) : delta_r)) * Real(2), Real(0), Real(1));
+    share = u * u * (Real(3) - Real(2) * u);
   }
+  Vector3<Real> t = std::max(point.rho + delta_r, Real(0)) * point.direction;
+  const Real turn = model.azimuth_sign * between(before.delta_theta, after.delta_theta);
+  const Real c = std::cos(turn), s = std::sin(turn);
+  t = {c * t.x - s * t.y, s * t.x + c * t.y, t.z};
+  return {t, share};
+}
+
+// the moments of every joint's own points
+template <class Real>
+void Cascade<Real>::sum_targets(const SolverModel<Real>& model) noexcept {
+  std::fill(own_.begin(), own_.end(), PointMoments<Real>{});
+  for (const SolverPatch<Real>& patch : model.patches) {
+    const PointMoments<Real> moments = moments_of(model, patch);
+    own_[patch.joint].add_transformed(moments, RigidTransform<Real>{}, Real(1));
+  }
+}
+
+// A patch on its own finger's plane needs no look at its points while none fades: its targets are linear in the displacements.
+template <class Real>
+PointMoments<Real> Cascade<Real>::moments_of(const SolverModel<Real>& model, const SolverPatch<Real>& patch) const noexcept {
+  const PlaneDeformation<Real>& plane = planes[patch.finger];
+  const Real least_delta_r = *std::min_element(plane.delta_r.begin(), plane.delta_r.begin() + plane.vectors);
+  constexpr Real fading = Real(-0.5);
+  if (model.options.field == FieldReading::finger && plane.default_angles && least_delta_r >= fading &&
+      patch.least_rho + std::min(least_delta_r, Real(0)) >= Real(0)) {
+    PointMoments<Real> moments = patch.rest;
+    for (int j = 0; j < plane.vectors; ++j) moments.add_targets(patch.per_unit[plane.vectors - 1][j], plane.delta_r[j]);
+    const Real turn = model.azimuth_sign * plane.delta_theta;
+    moments.turn_targets(std::cos(turn), std::sin(turn));
+    return moments;
+  }
+  PointMoments<Real> moments;
+  for (std::size_t k = patch.first; k < patch.last; ++k) {
+    const SolverPoint<Real>& point = model.points[k];
+    const Target target = target_of(model, point);
+    moments.add(point.weight, target.share, point.p, target.t);
+  }
+  return moments;
 }
 
 // moments from the tips inward: what each joint carries, with the joints further out at their present values
@@ -131,7 +159,7 @@ void Cascade<Real>::carry_moments(const SolverModel<Real>& model, std::span<cons
   for (std::size_t n = scope.size(); n-- > 0;) {
     if (!scope[n].inner) continue;
     const SolverJoint<Real>& joint = model.joints[scope[n].joint];
-    carried_[joint.parent].add_transformed(carried_[scope[n].joint], joint.T_parent_joint * motion(joint, q[scope[n].joint]),
+    carried_[joint.parent].add_transformed(carried_[scope[n].joint], T_parent_moved_[scope[n].joint],
                                            joint.master < 0 ? decay_ : Real(1));
   }
 }
@@ -144,8 +172,10 @@ RigidTransform<Real> Cascade<Real>::frame_before_motion(const SolverModel<Real>&
 
 template <class Real>
 void Cascade<Real>::move_frames(const SolverModel<Real>& model, std::span<const ScopedJoint> scope) noexcept {
-  for (const ScopedJoint& s : scope)
-    T_moved_[s.joint] = frame_before_motion(model, s.joint) * motion(model.joints[s.joint], q[s.joint]);
+  for (const ScopedJoint& s : scope) {
+    const int parent = model.joints[s.joint].parent;
+    T_moved_[s.joint] = parent < 0 ? T_parent_moved_[s.joint] : T_moved_[parent] * T_parent_moved_[s.joint];
+  }
 }
 
 // one pass: unknowns that move several fingers first, then every joint from the palm outward, parents final, children as they are
@@ -160,7 +190,7 @@ void Cascade<Real>::sweep(const SolverModel<Real>& model) noexcept {
   }
   for (int i = 0; i < static_cast<int>(q.size()); ++i) {
     if (model.step_at[i] >= 0) solve_step(model, model.steps[model.step_at[i]]);
-    T_moved_[i] = frame_before_motion(model, i) * motion(model.joints[i], q[i]);
+    T_moved_[i] = model.joints[i].parent < 0 ? T_parent_moved_[i] : T_moved_[model.joints[i].parent] * T_parent_moved_[i];
   }
 }
 
@@ -176,29 +206,28 @@ void Cascade<Real>::solve_step(const SolverModel<Real>& model, const SolverStep&
   if (open_share <= Real(0)) return;
 
   const bool single = step.driven.size() == 1 && step.driven.front() == step.joint;
-  const Real fitted = model.options.rule == Rule::contact ? (single ? contact_single(model, step) : contact_group(model, step))
-                                                          : (single ? fit_single(model, step.joint) : fit_group(model, step));
-  const Real held = std::clamp(fitted, joint.lower, joint.upper);
-  mark(step, at_limit, held != fitted);
-  set_unknown(model, step, held);
+  JointValue<Real> value;
+  if (model.options.rule == Rule::contact)
+    value = joint.value(single ? contact_single(model, step) : contact_group(model, step));
+  else
+    value = single ? fit_single(model, step.joint) : joint.value(fit_group(model, step));
+  mark(step, at_limit, value.q < joint.lower.q || value.q > joint.upper.q);
+  set_unknown(model, step, value.q < joint.lower.q ? joint.lower : value.q > joint.upper.q ? joint.upper : value);
 }
 
 // Each joint goes to its closed end by the share of points that closing has taken. Only now: a child fitted to a parent
 // that has faded already would open to make up for it (measured on Allegro: a jump of 1 rad at delta r = -0.76).
 template <class Real>
 void Cascade<Real>::close_faded(const SolverModel<Real>& model) noexcept {
+  for (std::size_t i = 0; i < q.size(); ++i) q[i] = values_[i].q;
   for (const SolverStep& step : model.steps) {
-    const SolverJoint<Real>& joint = model.joints[step.joint];
     const Real share = open_share_[step.joint];
-    set_unknown(model, step, std::clamp(share * q[step.joint] + (Real(1) - share) * joint.q_closed, joint.lower, joint.upper));
+    if (share == Real(1)) continue;
+    const SolverJoint<Real>& joint = model.joints[step.joint];
+    q[step.joint] = std::clamp(share * q[step.joint] + (Real(1) - share) * joint.q_closed, joint.lower.q, joint.upper.q);
+    for (int i : step.driven)
+      if (i != step.joint) q[i] = model.joints[i].multiplier * q[step.joint] + model.joints[i].offset;
   }
-}
-
-template <class Real>
-void Cascade<Real>::set_unknown(const SolverModel<Real>& model, const SolverStep& step, Real value) noexcept {
-  q[step.joint] = value;
-  for (int i : step.driven)
-    if (i != step.joint) q[i] = model.joints[i].multiplier * value + model.joints[i].offset;
 }
 
 template <class Real>
@@ -212,21 +241,21 @@ void Cascade<Real>::mark(const SolverStep& step, std::vector<std::uint8_t>& flag
 // would otherwise spin through a half turn (measured on Shadow: 0.6 rad for 0.03 in delta r). At rest it changes nothing, and
 // over several passes it fades, since it pulls to the pass before.
 template <class Real>
-Real Cascade<Real>::fit_single(const SolverModel<Real>& model, int joint) const noexcept {
-  constexpr Real hold = Real(0.25);
+JointValue<Real> Cascade<Real>::fit_single(const SolverModel<Real>& model, int joint) const noexcept {
+  constexpr Real hold = Real(0.25), two_pi = 2 * std::numbers::pi_v<Real>;
   const SolverJoint<Real>& j = model.joints[joint];
   const PointMoments<Real>& moments = carried_[joint];
-  if (!(moments.weight > Real(0))) return q[joint];
-  const JointFit<Real> fit = fit_joint(moments, frame_before_motion(model, joint), j.axis);
-  if (j.prismatic) return fit.shift / moments.weight;
+  const JointValue<Real>& present = values_[joint];
+  if (!(moments.weight > Real(0))) return present;
+  const JointFit<Real> fit = fit_joint(moments, frame_before_motion(model, joint));
+  if (j.prismatic) return j.value(fit.shift / moments.weight);
 
-  const Vector3<Real> arm = orthogonal_part(moments.p, j.axis);
-  const Real held = hold * dot(arm, arm) / moments.weight;
-  const Real sine = fit.sine + held * std::sin(q[joint]), cosine = fit.cosine + held * std::cos(q[joint]);
-  if (sine == Real(0) && cosine == Real(0)) return q[joint];
-  constexpr Real two_pi = 2 * std::numbers::pi_v<Real>;
+  const Real held = hold * (moments.p.x * moments.p.x + moments.p.y * moments.p.y) / moments.weight;
+  const Real sine = fit.sine + held * present.sine, cosine = fit.cosine + held * present.cosine;
+  const Real length = std::sqrt(sine * sine + cosine * cosine);
+  if (!(length > Real(0))) return present;
   const Real turn = std::atan2(sine, cosine) - j.branch_start;
-  return j.branch_start + turn - two_pi * std::floor(turn / two_pi);
+  return {j.branch_start + (turn < Real(0) ? turn + two_pi : turn < two_pi ? turn : turn - two_pi), cosine / length, sine / length};
 }
 
 // Joints coupled by mimics have no closed form: follow the descent from the present value to the first minimum on the way.
@@ -234,9 +263,11 @@ template <class Real>
 Real Cascade<Real>::fit_group(const SolverModel<Real>& model, const SolverStep& step) noexcept {
   constexpr int scan_steps = 12, refinements = 14;
   const SolverJoint<Real>& joint = model.joints[step.joint];
-  const Real start = q[step.joint];
+  const JointValue<Real> present = values_[step.joint];
+  const Real start = present.q;
   Real before = start, slope_before = descent(model, step, start);
-  const Real end = slope_before > Real(0) ? joint.upper : joint.lower;
+  if (slope_before == Real(0)) return start;  // at rest already, or no point to fit
+  const Real end = slope_before > Real(0) ? joint.upper.q : joint.lower.q;
   Real found = end;
   for (int k = 1; k <= scan_steps; ++k) {
     Real after = start + (end - start) * Real(k) / Real(scan_steps);
@@ -262,7 +293,7 @@ Real Cascade<Real>::fit_group(const SolverModel<Real>& model, const SolverStep& 
     }
     break;
   }
-  set_unknown(model, step, start);
+  set_unknown(model, step, present);
   carry_moments(model, step.scope);
   return found;
 }
@@ -270,12 +301,12 @@ Real Cascade<Real>::fit_group(const SolverModel<Real>& model, const SolverStep& 
 // minus half the derivative of the weighted squared distance with respect to the group's unknown
 template <class Real>
 Real Cascade<Real>::descent(const SolverModel<Real>& model, const SolverStep& step, Real value) noexcept {
-  set_unknown(model, step, value);
+  set_unknown(model, step, model.joints[step.joint].value(value));
   carry_moments(model, step.scope);
   move_frames(model, step.scope);
   Real sum = 0;
   for (int i : step.driven) {
-    const JointFit<Real> fit = fit_joint(carried_[i], T_moved_[i], model.joints[i].axis);
+    const JointFit<Real> fit = fit_joint(carried_[i], T_moved_[i]);
     sum += (i == step.joint ? Real(1) : model.joints[i].multiplier) * (model.joints[i].prismatic ? fit.shift : fit.sine);
   }
   return sum;
@@ -288,7 +319,7 @@ Vector3<Real> Cascade<Real>::node_in_frame(const SolverModel<Real>& model, const
   Vector3<Real> p = node.joint >= 0 ? Vector3<Real>{} : model.p_tip[node.finger];
   while (at != joint && at >= 0) {
     const SolverJoint<Real>& j = model.joints[at];
-    p = j.T_parent_joint * (motion(j, q[at]) * p);
+    p = T_parent_moved_[at] * p;
     at = j.parent;
   }
   return p;
@@ -308,8 +339,7 @@ Real Cascade<Real>::contact_single(const SolverModel<Real>& model, const SolverS
   const SolverJoint<Real>& joint = model.joints[step.joint];
   const RigidTransform<Real> T = frame_before_motion(model, step.joint);
   const auto path = [&](const ContactNode& node) {
-    const Vector3<Real> axis = T.rotation * joint.axis;
-    return Circle<Real>::about(axis, T.translation, T * node_in_frame(model, node, step.joint));
+    return Circle<Real>::about(T.rotation.column(2), T.translation, T * node_in_frame(model, node, step.joint));
   };
   if (!joint.prismatic && step.nodes.size() == 1) {
     const PlaneDeformation<Real>& plane = plane_of(model, step.nodes[0].finger);
@@ -324,9 +354,9 @@ Real Cascade<Real>::contact_single(const SolverModel<Real>& model, const SolverS
 // the same for coupled joints, several fingers and sliding joints: the nodes' mean gap decides
 template <class Real>
 Real Cascade<Real>::contact_group(const SolverModel<Real>& model, const SolverStep& step) noexcept {
-  const Real start = q[step.joint];
+  const JointValue<Real> present = values_[step.joint];
   const auto mean_gap = [&](Real value) {
-    set_unknown(model, step, value);
+    set_unknown(model, step, model.joints[step.joint].value(value));
     move_frames(model, step.scope);
     Real sum = 0;
     for (const ContactNode& node : step.nodes) {
@@ -337,18 +367,19 @@ Real Cascade<Real>::contact_group(const SolverModel<Real>& model, const SolverSt
     return sum / Real(step.nodes.size());
   };
   const Real found = first_contact_by_scan<Real>(mean_gap, model.joints[step.joint].travel);
-  set_unknown(model, step, start);
+  set_unknown(model, step, present);
   return found;
 }
 
 template <class Real>
 double Cascade<Real>::residual_rms(const SolverModel<Real>& model) noexcept {
+  for (std::size_t i = 0; i < q.size(); ++i) set_joint(model, static_cast<int>(i), model.joints[i].value(q[i]));
   move_frames(model, model.whole_tree);
   double sum = 0, weight = 0;
-  for (std::size_t k = 0; k < targets_.size(); ++k) {
-    const SolverPoint<Real>& point = model.points[k];
-    const Vector3<Real> error = T_moved_[point.joint] * point.p - targets_[k].t;
-    const double w = double(point.weight) * double(targets_[k].share);
+  for (const SolverPoint<Real>& point : model.points) {
+    const Target target = target_of(model, point);
+    const Vector3<Real> error = T_moved_[point.joint] * point.p - target.t;
+    const double w = double(point.weight) * double(target.share);
     sum += w * double(dot(error, error));
     weight += w;
   }

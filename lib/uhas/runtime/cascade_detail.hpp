@@ -36,8 +36,12 @@ class Cascade {
   const PlaneDeformation<Real>& plane_of(const SolverModel<Real>& model, int finger) const noexcept;
   void average_planes(const SolverModel<Real>& model) noexcept;
   void begin_joints(const SolverModel<Real>& model) noexcept;
-  void place_targets(const SolverModel<Real>& model) noexcept;
+  Target target_of(const SolverModel<Real>& model, const SolverPoint<Real>& point) const noexcept;
+  void sum_targets(const SolverModel<Real>& model) noexcept;
+  PointMoments<Real> moments_of(const SolverModel<Real>& model, const SolverPatch<Real>& patch) const noexcept;
 
+  void set_joint(const SolverModel<Real>& model, int joint, const JointValue<Real>& value) noexcept;
+  void set_unknown(const SolverModel<Real>& model, const SolverStep& step, const JointValue<Real>& value) noexcept;
   void carry_moments(const SolverModel<Real>& model, std::span<const ScopedJoint> scope) noexcept;
   void move_frames(const SolverModel<Real>& model, std::span<const ScopedJoint> scope) noexcept;
   RigidTransform<Real> frame_before_motion(const SolverModel<Real>& model, int joint) const noexcept;
@@ -45,10 +49,9 @@ class Cascade {
   void sweep(const SolverModel<Real>& model) noexcept;
   void solve_step(const SolverModel<Real>& model, const SolverStep& step) noexcept;
   void close_faded(const SolverModel<Real>& model) noexcept;
-  void set_unknown(const SolverModel<Real>& model, const SolverStep& step, Real value) noexcept;
   void mark(const SolverStep& step, std::vector<std::uint8_t>& flags, bool value) noexcept;
 
-  Real fit_single(const SolverModel<Real>& model, int joint) const noexcept;
+  JointValue<Real> fit_single(const SolverModel<Real>& model, int joint) const noexcept;
   Real fit_group(const SolverModel<Real>& model, const SolverStep& step) noexcept;
   Real descent(const SolverModel<Real>& model, const SolverStep& step, Real value) noexcept;
 
@@ -57,7 +60,8 @@ class Cascade {
   Vector3<Real> node_in_frame(const SolverModel<Real>& model, const ContactNode& node, int joint) const noexcept;
 
   std::vector<PlaneDeformation<Real>> group_planes_;  // [group of planes] mean of its fingers
-  std::vector<Target> targets_;                       // [point]
+  std::vector<JointValue<Real>> values_;              // [joint] the cascade's own values, before closing
+  std::vector<RigidTransform<Real>> T_parent_moved_;  // [joint] moved frame in its parent's moved frame
   std::vector<RigidTransform<Real>> T_moved_;         // [joint] moved frame in S
   std::vector<PointMoments<Real>> own_;               // [joint] of the points on the joint's links
   std::vector<PointMoments<Real>> carried_;           // [joint] own and all further out, decayed, in the joint's moved frame

@@ -53,7 +53,7 @@ struct SolveReport {
 template <class Real>
 class CascadeSolver {
  public:
-  /// Throws Error(invalid_profile) for a profile that `validate_profile` refuses or passes out of range.
+  /// Throws Error: invalid_profile for a profile that `validate_profile` refuses, invalid_action for passes out of range.
   explicit CascadeSolver(const HandProfile& profile, const SolveOptions& options = {});
   CascadeSolver(const CascadeSolver& other);
   CascadeSolver& operator=(const CascadeSolver& other);

@@ -29,6 +29,11 @@ struct Circle {
   Vector3<Real> at(Real t) const { return center + std::cos(t) * u + std::sin(t) * v; }
 };
 
+/// Where nothing is met, a joint leaves open only for a gap smaller by more than this (radii): a point on the joint's axis
+/// moves by rounding alone.
+template <class Real>
+inline constexpr Real kLeastGain = Real(1e-4);
+
 /// Joint value at which the circle first meets the sphere of radius 1 about the origin on the way from open to closed; a
 /// point inside at open is turned outward, toward the opposite end. No meeting: the value of least | |p| - 1 | on the way.
 /// |p(t)|^2 = K + A cos t + B sin t, so both the meeting and the extremum have closed forms (design 3.4).
@@ -62,7 +67,7 @@ Real first_contact_with_sphere(const Circle<Real>& circle, const JointTravel<Rea
   Real best = travel.open;
   const auto consider = [&](Real t) {
     const auto gap = [&](Real at) { return std::abs(std::sqrt(std::max(squared_radius(at), Real(0))) - Real(1)); };
-    if (gap(t) < gap(best)) best = t;
+    if (gap(t) < gap(best) - kLeastGain<Real>) best = t;
   };
   consider(end);
   for (Real extremum : {phase, phase + std::numbers::pi_v<Real>})
@@ -103,7 +108,8 @@ Real first_contact_by_scan(const Gap& gap, const JointTravel<Real>& travel) {
     else
       a = c;
   }
-  return (a + b) / 2;
+  const Real best = (a + b) / 2;
+  return std::abs(gap(best)) < std::abs(gap_open) - kLeastGain<Real> ? best : travel.open;
 }
 
 }  // namespace uhas

@@ -1,6 +1,5 @@
 #include "uhas/runtime/encoder.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -65,15 +64,22 @@ template <class Real>
 Status Encoder<Real>::encode_batch(std::span<const Real> q, std::span<Real> actions,
                                    std::span<EncodeReport> reports) noexcept {
   const std::size_t joints = joint_count(), size = action_size(), count = q.size() / joints;
-  if (q.size() != count * joints || actions.size() != count * size) return Status::wrong_size;
-  if (!reports.empty() && reports.size() != count) return Status::wrong_size;
-  if (!std::all_of(q.begin(), q.end(), [](Real value) { return std::isfinite(value); }))
-    return Status::non_finite_input;
+  if (actions.size() != count * size || (!reports.empty() && reports.size() != count)) return Status::wrong_size;
+  if (const Status status = check(q); status != Status::ok) return status;
   for (std::size_t n = 0; n < count; ++n) {
     scratch_->run(*model_, q.subspan(n * joints, joints));
     scratch_->write_action(*model_, actions.subspan(n * size, size));
     if (!reports.empty()) reports[n] = scratch_->report(*model_);
   }
+  return Status::ok;
+}
+
+template <class Real>
+Status Encoder<Real>::check(std::span<const Real> q) const noexcept {
+  const std::vector<Joint>& joints = model_->tree.joints;
+  if (q.size() % joints.size() != 0) return Status::wrong_size;
+  for (std::size_t i = 0; i < q.size(); ++i)
+    if (joints[i % joints.size()].mimic_master < 0 && !std::isfinite(q[i])) return Status::non_finite_input;
   return Status::ok;
 }
 

@@ -41,16 +41,21 @@ class Encoder {
   int joint_count() const noexcept;  ///< length of q: every joint of the profile, mimic followers included
   int action_size() const noexcept;  ///< 5 + 5 V
 
-  /// @param q       [joints] rad (m for sliding joints), profile order. Followers are ignored: their masters decide. A
-  /// value
-  ///                beyond the limits is encoded as the limit; a continuous joint may be any number of turns away.
-  /// @param action  [5 + 5 V] rad and sphere radii, not normalised, within bounds; the slots of a finger hold one value
+  /// @param q       [joint_count()] rad (m for sliding joints), in the profile's joint order. A value beyond the limits
+  /// is
+  ///                encoded as the limit; a continuous joint may be any number of turns away. The elements of mimic
+  ///                followers are not read: their masters decide.
+  /// @param action  [action_size()] rad and sphere radii, not normalised, within bounds; the slots of a finger hold one
+  ///                value
   /// On any status but ok `action` and `report` are untouched.
   Status encode(std::span<const Real> q, std::span<Real> action, EncodeReport& report) noexcept;
 
-  /// N postures: `q` [N x joints], `actions` [N x (5 + 5 V)], `reports` [N] or empty, all row-major. Nothing is written
-  /// unless every posture can be encoded.
+  /// The same for N postures, one after the other, on the calling thread: q [N][joint_count()] to actions
+  /// [N][action_size()] and reports [N], which may be empty. One bad number refuses the whole batch.
   Status encode_batch(std::span<const Real> q, std::span<Real> actions, std::span<EncodeReport> reports) noexcept;
+
+  /// What an encoding of `q` [N][joint_count()] would be refused for: ok, wrong_size or non_finite_input.
+  Status check(std::span<const Real> q) const noexcept;
 
  private:
   struct Model;

@@ -65,6 +65,7 @@ template <class Real>
 void Encoding<Real>::set_target(const EncoderModel& model, std::span<const Real> q) noexcept {
   for (std::size_t i = 0; i < q.size(); ++i) {
     const Joint& joint = model.tree.joints[i];
+    if (joint.mimic_master >= 0) continue;
     asked_[i] = double(q[i]);
     if (joint.kind == JointKind::continuous) {
       const double middle = (joint.lower + joint.upper) / 2;

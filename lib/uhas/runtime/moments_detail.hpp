@@ -16,6 +16,7 @@ struct PointMoments {
   Vector3<Real> t;                   ///< sum w s t
   Rotation<Real> pt{{0, 0, 0, 0, 0, 0, 0, 0, 0}};  ///< sum w s p t^T (any matrix, row-major)
 
+  /// Adds a point whose share closing has left.
   void add(Real w, Real share, Vector3<Real> point, Vector3<Real> target) {
     full_weight += w;
     const Real ws = w * share;
@@ -24,6 +25,22 @@ struct PointMoments {
     p += ws * point;
     t += wt;
     add_outer(point, wt);
+  }
+
+  /// Turns every target about the z of S: t becomes R t, hence p t^T becomes p t^T R^T.
+  void turn_targets(Real c, Real s) {
+    t = {c * t.x - s * t.y, s * t.x + c * t.y, t.z};
+    for (int row = 0; row < 9; row += 3) {
+      const Real x = pt.m[row], y = pt.m[row + 1];
+      pt.m[row] = c * x - s * y;
+      pt.m[row + 1] = s * x + c * y;
+    }
+  }
+
+  /// Adds `factor` times the targets of `other`, whose points and weights are the same.
+  void add_targets(const PointMoments& other, Real factor) {
+    t += factor * other.t;
+    for (int i = 0; i < 9; ++i) pt.m[i] += factor * other.pt.m[i];
   }
 
   /// Adds `factor` times `other`, whose points are in a frame that `T` maps to this one's.
@@ -45,31 +62,27 @@ struct PointMoments {
   }
 };
 
-/// What a joint sees of its points, all in the joint's frame F before its own motion.
+/// What a joint sees of its points, all in the joint's frame F before its own motion, whose z is the joint's axis.
 template <class Real>
 struct JointFit {
-  Real sine{};    ///< sum w s a . (p x t)
-  Real cosine{};  ///< sum w s p_orthogonal . t_orthogonal
-  Real shift{};   ///< sum w s a . (t - p)
+  Real sine{};    ///< sum w s z . (p x t)
+  Real cosine{};  ///< sum w s (p_x t_x + p_y t_y)
+  Real shift{};   ///< sum w s z . (t - p)
 };
 
+/// Targets go to F by t_F = R^T (t - o), so that sum p t_F^T = (sum p t^T - sum p o^T) R; only the rows and columns across the
+/// axis count.
 /// @param moments  points in F at joint value 0, targets in S
-/// @param T_S_F    F in S, @param axis unit axis in F
+/// @param T_S_F    F in S
 template <class Real>
-JointFit<Real> fit_joint(const PointMoments<Real>& moments, const RigidTransform<Real>& T_S_F, Vector3<Real> axis) {
-  // targets to F: t_F = R^T (t - o), so sum p t_F^T = (sum p t^T - sum p o^T) R
-  PointMoments<Real> centred = moments;
-  const Vector3<Real> o = T_S_F.translation;
-  const Vector3<Real> p = moments.p;
-  centred.pt.m = {moments.pt.m[0] - p.x * o.x, moments.pt.m[1] - p.x * o.y, moments.pt.m[2] - p.x * o.z,
-                  moments.pt.m[3] - p.y * o.x, moments.pt.m[4] - p.y * o.y, moments.pt.m[5] - p.y * o.z,
-                  moments.pt.m[6] - p.z * o.x, moments.pt.m[7] - p.z * o.y, moments.pt.m[8] - p.z * o.z};
-  const std::array<Real, 9> M = (centred.pt * T_S_F.rotation).m;
-  const Vector3<Real> t = T_S_F.rotation.transposed() * (moments.t - moments.weight * o);
-
-  const Vector3<Real> crossed{M[5] - M[7], M[6] - M[2], M[1] - M[3]};  // sum p x t
-  const Vector3<Real> M_axis = Rotation<Real>{M} * axis;
-  return {dot(axis, crossed), M[0] + M[4] + M[8] - dot(axis, M_axis), dot(axis, t - p)};
+JointFit<Real> fit_joint(const PointMoments<Real>& moments, const RigidTransform<Real>& T_S_F) {
+  const std::array<Real, 9>& m = moments.pt.m;
+  const Vector3<Real> o = T_S_F.translation, p = moments.p;
+  const Vector3<Real> row_x = Vector3<Real>{m[0], m[1], m[2]} - p.x * o, row_y = Vector3<Real>{m[3], m[4], m[5]} - p.y * o;
+  const Vector3<Real> x = T_S_F.rotation.column(0), y = T_S_F.rotation.column(1), z = T_S_F.rotation.column(2);
+  return {.sine = dot(row_x, y) - dot(row_y, x),
+          .cosine = dot(row_x, x) + dot(row_y, y),
+          .shift = dot(z, moments.t - moments.weight * o) - p.z};
 }
 
 }  // namespace uhas

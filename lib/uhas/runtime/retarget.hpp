@@ -1,8 +1,6 @@
 // Retarget (design 3.10): the posture of one hand on another, by way of the action that both understand.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "uhas/runtime/encoder.hpp"
@@ -33,14 +31,12 @@ class Retargeter {
     return solver_.solve({.values = action_, .driving_vectors_phi = {}}, q_to);
   }
 
-  /// N postures: `q_from` [N x joints of from], `q_to` [N x joints of to], `reports` [N] or empty, all row-major.
-  /// Nothing is written unless every posture can be retargeted.
+  /// The same for N postures, one after the other, on the calling thread: q_from [N][joints of from] to q_to [N][joints
+  /// of to] and reports [N], which may be empty. One bad number refuses the whole batch.
   Status retarget_batch(std::span<const Real> q_from, std::span<Real> q_to, std::span<EncodeReport> reports) noexcept {
     const std::size_t from = joint_count_from(), to = joint_count_to(), count = q_from.size() / from;
-    if (q_from.size() != count * from || q_to.size() != count * to) return Status::wrong_size;
-    if (!reports.empty() && reports.size() != count) return Status::wrong_size;
-    if (!std::all_of(q_from.begin(), q_from.end(), [](Real value) { return std::isfinite(value); }))
-      return Status::non_finite_input;
+    if (q_to.size() != count * to || (!reports.empty() && reports.size() != count)) return Status::wrong_size;
+    if (const Status status = encoder_.check(q_from); status != Status::ok) return status;
     EncodeReport report;
     for (std::size_t n = 0; n < count; ++n) {
       retarget(q_from.subspan(n * from, from), q_to.subspan(n * to, to), report);

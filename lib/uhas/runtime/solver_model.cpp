@@ -34,30 +34,39 @@ double branch_start(const Joint& joint, double q_closed) {
   return closes_upward ? joint.lower - share_of_open_side * free_arc : joint.upper + share_of_open_side * free_arc - 2 * kPi;
 }
 
+/// Turns z to the joint's axis: the joint frame of the solver in the joint frame of the profile.
+RigidTransformd axis_frame(const Joint& joint) {
+  const Vector3d x = any_orthogonal(joint.axis);
+  return {Rotationd::from_columns(x, cross(joint.axis, x), joint.axis), {}};
+}
+
+/// Frame of the profile's joint (or, for -1, of the palm) in the solver's joint (or S), metres.
+RigidTransformd solver_from_profile(const HandProfile& profile, int joint) {
+  return joint < 0 ? profile.T_palm_sphere.inverse() : axis_frame(profile.tree.joints[joint]).inverse();
+}
+
 template <class Real>
 SolverJoint<Real> compile_joint(const HandProfile& profile, const SolveOptions& options, int index) {
   const Joint& joint = profile.tree.joints[index];
   const JointTraits& traits = profile.joint_traits[index];
-  const RigidTransformd T_sphere_palm = profile.T_palm_sphere.inverse();
 
   SolverJoint<Real> compiled;
   compiled.prismatic = joint.kind == JointKind::prismatic;
   compiled.parent = joint.parent;
-  RigidTransformd T = joint.parent < 0 ? T_sphere_palm * joint.T_parent_joint : joint.T_parent_joint;
+  RigidTransformd T = solver_from_profile(profile, joint.parent) * joint.T_parent_joint * axis_frame(joint);
   T.translation = T.translation / profile.radius;
   compiled.T_parent_joint = cast<Real>(T);
-  compiled.axis = cast<Real>(joint.axis);
 
   const double unit = compiled.prismatic ? profile.radius : 1.0;
   compiled.unit = static_cast<Real>(unit);
-  compiled.lower = static_cast<Real>(joint.lower / unit);
-  compiled.upper = static_cast<Real>(joint.upper / unit);
+  compiled.lower = compiled.value(static_cast<Real>(joint.lower / unit));
+  compiled.upper = compiled.value(static_cast<Real>(joint.upper / unit));
   const bool from_open = options.rule == Rule::contact && traits.joint_class == JointClass::encompassing;
-  compiled.q_start = static_cast<Real>((from_open ? traits.q_open : traits.q_sphere) / unit);
+  compiled.start = compiled.value(static_cast<Real>((from_open ? traits.q_open : traits.q_sphere) / unit));
   compiled.q_closed = static_cast<Real>(traits.q_closed / unit);
   const bool closes_upward = joint.upper - traits.q_closed <= traits.q_closed - joint.lower;
   compiled.travel = {static_cast<Real>(traits.q_open / unit), compiled.q_closed,
-                     closes_upward ? compiled.lower : compiled.upper};
+                     closes_upward ? compiled.lower.q : compiled.upper.q};
   compiled.branch_start = static_cast<Real>(branch_start(joint, traits.q_closed));
   compiled.master = joint.mimic_master;
   if (joint.mimic_master >= 0) {
@@ -144,6 +153,35 @@ int finger_of_point(const HandProfile& profile, const Correspondence& c) {
   return nearest;
 }
 
+/// Sorts the points by joint and finger and sums up each patch.
+template <class Real>
+std::vector<SolverPatch<Real>> gather_patches(std::vector<SolverPoint<Real>>& points) {
+  std::stable_sort(points.begin(), points.end(), [](const SolverPoint<Real>& a, const SolverPoint<Real>& b) {
+    return std::pair(a.joint, a.finger) < std::pair(b.joint, b.finger);
+  });
+  std::vector<SolverPatch<Real>> patches;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const SolverPoint<Real>& point = points[k];
+    if (patches.empty() || patches.back().joint != point.joint || patches.back().finger != point.finger) {
+      patches.push_back({.joint = point.joint, .finger = point.finger, .first = k, .last = k, .least_rho = point.rho, .rest = {}, .per_unit = {}});
+      for (int vectors = 1; vectors <= kMaxDrivingVectors; ++vectors) patches.back().per_unit[vectors - 1].resize(vectors);
+    }
+    SolverPatch<Real>& patch = patches.back();
+    patch.last = k + 1;
+    patch.least_rho = std::min(patch.least_rho, point.rho);
+    patch.rest.add(point.weight, Real(1), point.p, point.rho * point.direction);
+    for (int vectors = 1; vectors <= kMaxDrivingVectors; ++vectors) {
+      for (int j = 0; j < vectors; ++j) {
+        PlaneDeformation<Real> unit{.delta_theta = 0, .vectors = vectors, .default_angles = true, .phi = {}, .delta_r = {}};
+        for (int i = 0; i < vectors; ++i) unit.phi[i] = default_driving_angle<Real>(vectors, i);
+        unit.delta_r[j] = Real(1);
+        patch.per_unit[vectors - 1][j].add(point.weight, Real(1), point.p, unit.radial(point.phi) * point.direction);
+      }
+    }
+  }
+  return patches;
+}
+
 }  // namespace
 
 template <class Real>
@@ -173,7 +211,7 @@ SolverModel<Real>::SolverModel(const HandProfile& profile, const SolveOptions& s
   for (const ProfileFinger& finger : profile.fingers) {
     const ProfileLink& link = profile.links[finger.tip_link];
     tip_joint.push_back(link.joint);
-    p_tip.push_back(cast<Real>((link.T_joint_link * finger.p_tip_link) / profile.radius));
+    p_tip.push_back(cast<Real>((solver_from_profile(profile, link.joint) * link.T_joint_link * finger.p_tip_link) / profile.radius));
   }
 
   for (int f = 0; f < finger_count; ++f) {
@@ -194,7 +232,7 @@ SolverModel<Real>::SolverModel(const HandProfile& profile, const SolveOptions& s
     point.joint = link.joint;
     point.finger = finger_of_point(profile, c);
     if (c.weight <= 0 || point.finger < 0) continue;
-    point.p = cast<Real>((link.T_joint_link * c.p_link) / profile.radius);
+    point.p = cast<Real>((solver_from_profile(profile, link.joint) * link.T_joint_link * c.p_link) / profile.radius);
     const double azimuth = profile.mirrored ? -c.theta : c.theta;
     point.direction = cast<Real>(from_spherical<double>({azimuth, c.phi, 1.0}));
     point.rho = static_cast<Real>(c.rho);
@@ -203,6 +241,7 @@ SolverModel<Real>::SolverModel(const HandProfile& profile, const SolveOptions& s
     locate_between_planes(c.theta, azimuths, point);
     points.push_back(point);
   }
+  patches = gather_patches(points);
 }
 
 template struct SolverModel<float>;

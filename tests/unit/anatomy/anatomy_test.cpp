@@ -61,7 +61,7 @@ TEST_CASE("a right hand of four fingers and a thumb") {
   }
   CHECK(anatomy.warnings.empty());
   for (const char* item :
-       {"palm_link", "fingers", "fingertips", "thumb", "middle_finger", "handedness", "palm_normal", "q_open"})
+       {"palm_link", "fingers", "fingertips", "thumb", "middle_finger", "handedness", "palm_normal_in_root", "q_open"})
     CHECK(finding(anatomy, item).confidence > 0.7);
 }
 
@@ -197,6 +197,6 @@ TEST_CASE("a doubtful normal lowers the confidence and names the key") {
   options.finger.phalanges = {0.1};
   options.thumb = options.finger;
   const Anatomy anatomy = infer_anatomy(make_toy_hand(options));
-  CHECK(finding(anatomy, "palm_normal").confidence < 0.5);
+  CHECK(finding(anatomy, "palm_normal_in_root").confidence < 0.5);
   CHECK(warns_of(anatomy, "palm_normal_in_root"));
 }

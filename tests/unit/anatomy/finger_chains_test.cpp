@@ -33,11 +33,17 @@ ToyFinger finger_at(const std::string& name, double y) {
   return finger;
 }
 
+HandConfig naming(const std::string& palm_link) {
+  HandConfig config;
+  config.palm_link = palm_link;
+  return config;
+}
+
 }  // namespace
 
 TEST_CASE("the palm is where the chains meet, past the wrist") {
   const HandModel model = make_toy_hand({.fingers = 3, .wrist = true});
-  const FingerChains found = find_finger_chains(model, std::nullopt);
+  const FingerChains found = find_finger_chains(model);
   CHECK(model.links[found.palm_link].name == "palm");
   CHECK(found.palm_group == 0);
   CHECK(found.chains.size() == 4);
@@ -53,8 +59,7 @@ TEST_CASE("a short movable leaf is no finger and no phalanx") {
   const int button = toy.add_movable("button", palm, {{}, {0, 0, 0.04}}, hinge());
   toy.add_box(button, {}, {0.005, 0.005, 0.005});
   HandModel model = toy.take();
-  CHECK(roots_of(model, find_finger_chains(model, std::nullopt)) ==
-        std::vector<std::string>{"a_side_joint", "b_side_joint"});
+  CHECK(roots_of(model, find_finger_chains(model)) == std::vector<std::string>{"a_side_joint", "b_side_joint"});
 }
 
 TEST_CASE("fingers on one palm-arch joint share it") {
@@ -65,7 +70,7 @@ TEST_CASE("fingers on one palm-arch joint share it") {
   toy.add_finger(arch, finger_at("b", 0.0));
   toy.add_finger(arch, finger_at("c", -0.03));
   const HandModel model = toy.take();
-  const FingerChains found = find_finger_chains(model, std::nullopt);
+  const FingerChains found = find_finger_chains(model);
   CHECK(roots_of(model, found) == std::vector<std::string>{"a_side_joint", "arch_joint", "arch_joint"});
   CHECK(found.chains[1][1] != found.chains[2][1]);
 }
@@ -83,16 +88,15 @@ TEST_CASE("a linkage that only follows is no finger") {
     toy.add_box(bar, {0, 0, 0.025}, {0.005, 0.005, 0.05});
   }
   const HandModel model = toy.take();
-  CHECK(roots_of(model, find_finger_chains(model, std::nullopt)) ==
-        std::vector<std::string>{"left_1_joint", "right_1_joint"});
+  CHECK(roots_of(model, find_finger_chains(model)) == std::vector<std::string>{"left_1_joint", "right_1_joint"});
 }
 
 TEST_CASE("a config may name the palm; one chain is no hand") {
   const HandModel model = make_toy_hand({.fingers = 3, .wrist = true});
-  CHECK(find_finger_chains(model, "palm").chains.size() == 4);
-  CHECK_THROWS_WITH_AS(find_finger_chains(model, "plam"), doctest::Contains("no link \"plam\""), Error);
-  CHECK_THROWS_WITH_AS(find_finger_chains(model, "index_2"), doctest::Contains("only one finger"), Error);
+  CHECK(find_finger_chains(model, naming("palm")).chains.size() == 4);
+  CHECK_THROWS_WITH_AS(find_finger_chains(model, naming("plam")), doctest::Contains("no link \"plam\""), Error);
+  CHECK_THROWS_WITH_AS(find_finger_chains(model, naming("index_2")), doctest::Contains("only one finger"), Error);
 
   ToyModel lonely("lonely");
-  CHECK_THROWS_WITH_AS(find_finger_chains(lonely.take(), std::nullopt), doctest::Contains("no movable joint"), Error);
+  CHECK_THROWS_WITH_AS(find_finger_chains(lonely.take()), doctest::Contains("no movable joint"), Error);
 }

@@ -57,15 +57,26 @@ TEST_CASE("the joints further out stand open while a joint is swept") {
   CHECK(closed_pose(hand)[0] == -0.5);
 }
 
+namespace {
+
+/// A finger whose one joint turns it about an axis through the centre, so that its tip keeps its distance.
+SphereHand tied_hand(Vector3d axis, double lower, double upper) {
+  SphereHand hand;
+  hand.add_finger({add_hinge(hand.tree(), -1, {0, 0, -1}, axis, lower, upper)}, {1.2, 0, -1});
+  return hand;
+}
+
+}  // namespace
+
 TEST_CASE("on a tie the larger range wins") {
-  // about an axis through the centre the fingertip keeps its distance
-  for (const auto& [lower, upper, expected] :
-       {std::array{-0.2, 0.5, 0.5}, std::array{-0.5, 0.2, -0.5}, std::array{-0.4, 0.4, 0.4}}) {
-    SphereHand hand;
-    const int side = add_hinge(hand.tree(), -1, {0, 0, -1}, {0, 0, 1}, lower, upper);
-    hand.add_finger({side}, {1.2, 0, -1});
-    CHECK(closed_pose(hand) == std::vector<double>{expected});
-  }
+  CHECK(closed_pose(tied_hand({0, 0, 1}, -0.2, 0.5)) == std::vector<double>{0.5});
+  CHECK(closed_pose(tied_hand({0, 0, 1}, -0.5, 0.2)) == std::vector<double>{-0.5});
+}
+
+TEST_CASE("of equal ranges the same side wins whichever way the axis points, on the image of the hand its image") {
+  CHECK(closed_pose(tied_hand({0, 0, -1}, -0.4, 0.4)) == std::vector<double>{0.4});
+  CHECK(closed_pose(tied_hand({0, 0, 1}, -0.4, 0.4)) == std::vector<double>{-0.4});
+  CHECK(closed_pose(mirrored(tied_hand({0, 0, -1}, -0.4, 0.4))) == std::vector<double>{0.4});
 }
 
 TEST_CASE("a joint that moves two fingers closes to the side where their mean distance is least") {
@@ -89,8 +100,8 @@ TEST_CASE("a config's value wins and is checked") {
   SphereHand hand;
   add_planar_finger(hand, {});
   CHECK(closed_pose(hand, {{"j1", 1.1}}) == std::vector<double>{1.8, 1.1, 1.8});
-  check_error(ErrorCode::invalid_config, "'j1' lies outside", [&] { closed_pose(hand, {{"j1", 1.9}}); });
-  check_error(ErrorCode::invalid_config, "'j7'", [&] { closed_pose(hand, {{"j7", 0}}); });
+  check_error(ErrorCode::invalid_config, "outside the limits of \"j1\"", [&] { closed_pose(hand, {{"j1", 1.9}}); });
+  check_error(ErrorCode::invalid_config, "\"j7\"", [&] { closed_pose(hand, {{"j7", 0}}); });
 }
 
 TEST_CASE("the scale of the hand does not matter") {

@@ -95,8 +95,8 @@ TEST_CASE("a plate that faces away has no points, and a warning says so") {
   CHECK(found.hits[1].facing_away == directions_through_plate(20000, 0.02, 0.02));
   REQUIRE(found.warnings.size() == 1);
   CHECK(found.warnings[0].find("'finger'") != std::string::npos);
-  CHECK(found.warnings[0].find("0 met it too far from the sphere and " + std::to_string(found.hits[1].facing_away)) !=
-        std::string::npos);
+  CHECK(found.warnings[0].find("0 rays from the sphere's centre met it too far from the sphere, " +
+                               std::to_string(found.hits[1].facing_away) + " from behind") != std::string::npos);
 }
 
 TEST_CASE("hits beyond the bound on the radius are dropped and counted") {
@@ -150,6 +150,19 @@ TEST_CASE("points are sorted by link, only those of links that joints carry have
   }
   CHECK(weighted == 32);
   CHECK(sum == doctest::Approx(1).epsilon(1e-12));
+}
+
+TEST_CASE("a hand that is neither right nor left has the points of its mirror image, mirrored") {
+  ToyHand hand = toy_hand({}, box({0.01, 0.02, 0.02}, {0.003, 0.007, 0.01})), image = test::mirrored(hand);
+  hand.anatomy.handedness = image.anatomy.handedness = Handedness::none;
+  image.frame.mirrored = false;
+  const Correspondences a = project(hand), b = project(image);
+  REQUIRE(a.points.size() > 100);
+  REQUIRE(a.points.size() == b.points.size());
+  for (const Correspondence& point : a.points)
+    CHECK(std::ranges::any_of(b.points, [&](const Correspondence& other) {
+      return std::abs(other.theta + point.theta) < 1e-12 && std::abs(other.phi - point.phi) < 1e-12;
+    }));
 }
 
 TEST_CASE("a mirrored hand has mirrored points, bit for bit") {

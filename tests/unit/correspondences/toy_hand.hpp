@@ -48,6 +48,7 @@ inline ToyHand toy_hand(TriangleMesh palm, TriangleMesh finger) {
   hand.model.tree.joints = {joint};
 
   hand.anatomy.hand = "toy";
+  hand.anatomy.handedness = Handedness::right;
   hand.anatomy.tree = hand.model.tree;
   hand.anatomy.links = {{"palm", -1, at_origin}, {"finger", 0, T_joint_link}};
   hand.anatomy.model_links = {0, 1};
@@ -64,6 +65,7 @@ inline ToyHand mirrored(ToyHand hand) {
   for (ModelLink& link : hand.model.links)
     for (Vector3d& vertex : link.mesh.vertices) vertex = mirror(vertex);
   for (double& q : hand.q) q = -q;
+  hand.anatomy.handedness = Handedness::left;
   hand.frame.mirrored = true;
   return hand;
 }

@@ -15,9 +15,13 @@ TEST_CASE("fingers are ordered by their first slot; the order of equals stays") 
 
 TEST_CASE("warnings come in the order of the stages") {
   BuildStages stages;
-  stages.correspondences.warnings = {"fifth"};
-  stages.lateral_tables.warnings = {"third", "fourth"};
+  stages.correspondences.warnings = {"sixth"};
+  stages.lateral_tables.warnings = {"fourth", "fifth"};
+  stages.closed_pose = {"q_closed", "fingers closed", "third", 0.25};
   stages.anatomy.warnings = {"second"};
   stages.model.warnings = {"first"};
-  CHECK(stage_warnings(stages) == std::vector<std::string>{"first", "second", "third", "fourth", "fifth"});
+  CHECK(stage_warnings(stages) == std::vector<std::string>{"first", "second",
+                                                           "doubtful q_closed: fingers closed (third); set "
+                                                           "\"q_closed\" in a hand config if it is wrong",
+                                                           "fourth", "fifth", "sixth"});
 }

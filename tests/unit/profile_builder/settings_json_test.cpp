@@ -18,6 +18,11 @@ TEST_CASE("settings survive the way through JSON") {
   settings.config.palm_link = "palm";
   settings.config.palm_normal_in_root = Vector3d{0.1, -0.2, 0.3};
   settings.config.handedness = Handedness::left;
+  settings.config.fingers = {{"index"}, {"thumb"}};
+  settings.config.fingertips = {{.link = "tip", .point = Vector3d{0, 0, 0.1}, .pad_normal = {}}};
+  settings.config.thumb = "thumb";
+  settings.config.middle_finger = "";
+  settings.config.joint_limits["index"] = {-0.1, 2.0 / 3};
   settings.config.q_open["index"] = 1.0 / 3;
   settings.sphere_frame = {.radius_scale = 1.1, .merge_pinky = true};
   settings.lateral_tables.steps = 51;

@@ -22,7 +22,7 @@ TEST_CASE("shared slots are averaged, after each has been clamped") {
   values[0] = 100;                // the small profile's index owns slots 0 to 3
   values[5] = -9, values[6] = 1;  // slot 0's driving vectors
   values[13] = 0.25;              // the thumb's first
-  const auto planes = decode({.values = values, .driving_vectors_phi = {}});
+  const auto planes = decode({.values = values});
   CHECK(planes[0].delta_theta == doctest::Approx(test::small_lateral_table().delta_theta_upper / 4));
   CHECK(planes[0].delta_r[0] == doctest::Approx(-0.5));
   CHECK(planes[0].delta_r[1] == doctest::Approx(0.25));
@@ -34,7 +34,7 @@ TEST_CASE("the normalised form maps piecewise linearly to the bounds") {
   const LateralTable table = test::small_lateral_table();
   for (double x : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
     std::vector<double> values(15, x);
-    const auto planes = decode({.values = values, .driving_vectors_phi = {}, .normalized = true});
+    const auto planes = decode({.values = values, .normalized = true});
     CHECK(planes[0].delta_theta == doctest::Approx(x < 0 ? -x * table.delta_theta_lower : x * table.delta_theta_upper));
     CHECK(planes[0].delta_r[0] == doctest::Approx(2 * x));
   }
@@ -43,7 +43,7 @@ TEST_CASE("the normalised form maps piecewise linearly to the bounds") {
 TEST_CASE("driving vectors stand at pi j / (V + 1) unless a call places them") {
   const double pi = std::numbers::pi;
   const std::vector<double> zeros(20, 0.0);
-  const auto planes = decode({.values = zeros, .driving_vectors_phi = {}});
+  const auto planes = decode({.values = zeros});
   CHECK(planes[0].vectors == 3);
   for (int j = 0; j < 3; ++j) CHECK(planes[0].phi[j] == doctest::Approx(pi * (j + 1) / 4));
 
@@ -53,12 +53,12 @@ TEST_CASE("driving vectors stand at pi j / (V + 1) unless a call places them") {
 
 TEST_CASE("what cannot be decoded is refused by a status") {
   const std::vector<double> zeros(15, 0.0), short_one(14, 0.0), too_many(30, 0.0);
-  decode({.values = short_one, .driving_vectors_phi = {}}, Status::wrong_size);
-  decode({.values = too_many, .driving_vectors_phi = {}}, Status::wrong_size);
-  decode({.values = {}, .driving_vectors_phi = {}}, Status::wrong_size);
+  decode({.values = short_one}, Status::wrong_size);
+  decode({.values = too_many}, Status::wrong_size);
+  decode({.values = {}}, Status::wrong_size);
   std::vector<double> nan = zeros;
   nan[3] = std::numeric_limits<double>::quiet_NaN();
-  decode({.values = nan, .driving_vectors_phi = {}}, Status::non_finite_input);
+  decode({.values = nan}, Status::non_finite_input);
   for (const std::vector<double>& phi : {std::vector<double>{1.0, 1.0}, {2.0, 1.0}, {0.0, 1.0}, {1.0, 3.2}, {1.0, NAN}})
     decode({.values = zeros, .driving_vectors_phi = phi}, Status::invalid_driving_vectors);
   const std::vector<double> one{1.0};

@@ -1,4 +1,4 @@
-// The solve path allocates nothing, failures included: malloc, which operator new calls, is counted over 10,000 solves.
+// The real-time path allocates nothing, failures included: malloc, which operator new calls, is counted over 10,000 calls.
 #include <doctest/doctest.h>
 
 #include <dlfcn.h>
@@ -9,6 +9,8 @@
 
 #include "support/random_action.hpp"
 #include "support/small_profile.hpp"
+#include "uhas/runtime/cascade_solver.hpp"
+#include "uhas/runtime/observation.hpp"
 #include "uhas/runtime/retarget.hpp"
 
 // the sanitizers bring a malloc of their own
@@ -56,12 +58,33 @@ TEST_CASE("10,000 solves allocate nothing") {
       allocations = 0;
       counting = true;
       for (int n = 0; n < 2500; ++n)
-        refused += solver.solve({.values = actions[n % 100], .driving_vectors_phi = {}}, q, report) != Status::ok;
+        refused += solver.solve({.values = actions[n % 100]}, q, report) != Status::ok;
       counting = false;
       CHECK(allocations == 0);
       CHECK(refused == 50);
     }
   }
+}
+
+TEST_CASE("10,000 observations allocate nothing") {
+  Observer<double> observer(test::small_profile(), {.pad_directions = true});
+  const std::size_t joints = observer.joint_count();
+  std::vector<double> q(4 * joints, 0.1), qd(q.size(), 1.0), observations(4 * observer.size());
+  std::vector<double> not_finite = q;
+  not_finite.front() = std::numeric_limits<double>::quiet_NaN();
+  const std::span one_q(q.data(), joints), one_qd(qd.data(), joints), one(observations.data(), observer.size());
+  int refused = 0;
+  allocations = 0;
+  counting = true;
+  for (int n = 0; n < 2500; ++n) {
+    refused += observer.observe(one_q, one_qd, one) != Status::ok;
+    refused += observer.observe(one_q, qd, one) != Status::ok;
+    refused += observer.observe_batch(q, qd, observations) != Status::ok;
+    refused += observer.observe_batch(not_finite, qd, observations) != Status::ok;
+  }
+  counting = false;
+  CHECK(allocations == 0);
+  CHECK(refused == 5000);
 }
 
 TEST_CASE("encoding and retargeting allocate nothing") {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "support/mirrored_profile.hpp"
 #include "support/random_action.hpp"
 #include "support/small_profile.hpp"
 #include "uhas/runtime/cascade_solver.hpp"
@@ -16,7 +17,7 @@ namespace {
 std::vector<double> solve(const HandProfile& profile, const std::vector<double>& action, SolveOptions options = {}) {
   CascadeSolver<double> solver(profile, options);
   std::vector<double> q(solver.joint_count());
-  REQUIRE(solver.solve({.values = action, .driving_vectors_phi = {}}, q) == Status::ok);
+  REQUIRE(solver.solve({.values = action}, q) == Status::ok);
   return q;
 }
 
@@ -91,7 +92,7 @@ TEST_CASE("full contraction closes every encompassing joint and reports it") {
     std::vector<std::uint8_t> closed(q.size());
     SolveReport report{.residual_rms = 0, .at_limit = {}, .closed = closed};
     const std::vector<double> action = uniform_action(-2);
-    REQUIRE(solver.solve({.values = action, .driving_vectors_phi = {}}, q, report) == Status::ok);
+    REQUIRE(solver.solve({.values = action}, q, report) == Status::ok);
     for (int joint : {1, 3, 4}) {
       CAPTURE(joint);
       if (closing == Closing::fade) CHECK(q[joint] == profile.joint_traits[joint].q_closed);
@@ -107,33 +108,14 @@ TEST_CASE("the residual of a report is the weighted rms distance") {
   std::vector<double> q(solver.joint_count());
   SolveReport report;
   const std::vector<double> action = uniform_action(0.2);
-  REQUIRE(solver.solve({.values = action, .driving_vectors_phi = {}}, q, report) == Status::ok);
+  REQUIRE(solver.solve({.values = action}, q, report) == Status::ok);
   double weight = 0;
   for (const Correspondence& c : profile.correspondences) weight += profile.links[c.link].joint >= 0 ? c.weight : 0;
   CHECK(report.residual_rms == doctest::Approx(std::sqrt(cost(profile, q, 0, 0.2) / weight)));
 }
 
 TEST_CASE("a mirror image of a left hand solves like the right hand") {
-  // the same joint values come out when frames, points and axes are mirrored in the y of S and the hand says so
-  const HandProfile left = test::small_profile();
-  HandProfile right = left;
-  right.mirrored = false;
-  right.handedness = Handedness::right;
-  const auto mirror = [](Vector3d a) { return Vector3d{a.x, -a.y, a.z}; };
-  const auto mirror_transform = [&](RigidTransformd T) {
-    for (int i : {1, 3, 5, 7}) T.rotation.m[i] = -T.rotation.m[i];
-    T.translation = mirror(T.translation);
-    return T;
-  };
-  right.T_palm_sphere = mirror_transform(left.T_palm_sphere);
-  for (Joint& joint : right.tree.joints) {
-    joint.T_parent_joint = mirror_transform(joint.T_parent_joint);
-    joint.axis = joint.kind == JointKind::prismatic ? mirror(joint.axis) : -mirror(joint.axis);
-  }
-  for (ProfileLink& link : right.links) link.T_joint_link = mirror_transform(link.T_joint_link);
-  for (Correspondence& c : right.correspondences) c.p_link = mirror(c.p_link), c.normal_link = mirror(c.normal_link);
-  for (ProfileFinger& finger : right.fingers) finger.p_tip_link = mirror(finger.p_tip_link);
-
+  const HandProfile left = test::small_profile(), right = test::mirror_image(left);
   std::mt19937_64 random(4);
   for (int n = 0; n < 200; ++n) {
     const std::vector<double> action = test::random_action(random, 0.5, 1.5);

@@ -48,7 +48,7 @@ TEST_CASE("moments moved to another frame are the moments of the moved points") 
 TEST_CASE("the fit of a joint is the sum over its points") {
   std::mt19937_64 random(2);
   const std::vector<Pair> pairs = random_pairs(random);
-  const Vector3d axis = normalized(Vector3d{0.2, 1, -0.4});
+  const Vector3d axis{0, 0, 1};
   const RigidTransformd T_S_F = some_transform();
   PointMoments<double> moments;
   double sine = 0, cosine = 0, shift = 0;
@@ -60,7 +60,7 @@ TEST_CASE("the fit of a joint is the sum over its points") {
     cosine += w * dot(orthogonal_part(pair.p, axis), orthogonal_part(t, axis));
     shift += w * dot(axis, t - pair.p);
   }
-  const JointFit<double> fit = fit_joint(moments, T_S_F, axis);
+  const JointFit<double> fit = fit_joint(moments, T_S_F);
   CHECK(fit.sine == doctest::Approx(sine).epsilon(1e-12));
   CHECK(fit.cosine == doctest::Approx(cosine).epsilon(1e-12));
   CHECK(fit.shift == doctest::Approx(shift).epsilon(1e-12));
@@ -70,14 +70,13 @@ TEST_CASE("the angle of the fit minimises the weighted squared distance") {
   std::mt19937_64 random(3);
   for (int n = 0; n < 50; ++n) {
     const std::vector<Pair> pairs = random_pairs(random);
-    const Vector3d axis = normalized(Vector3d{0.2, 1, -0.4});
     PointMoments<double> moments;
     for (const Pair& pair : pairs) moments.add(pair.w, pair.share, pair.p, pair.t);
-    const JointFit<double> fit = fit_joint(moments, RigidTransformd{}, axis);
+    const JointFit<double> fit = fit_joint(moments, RigidTransformd{});
     const auto cost = [&](double angle) {
       double sum = 0;
       for (const Pair& pair : pairs) {
-        const Vector3d e = Rotationd::about(axis, angle) * pair.p - pair.t;
+        const Vector3d e = Rotationd::about(Vector3d{0, 0, 1}, angle) * pair.p - pair.t;
         sum += pair.w * pair.share * dot(e, e);
       }
       return sum;
@@ -85,4 +84,17 @@ TEST_CASE("the angle of the fit minimises the weighted squared distance") {
     const double best = std::atan2(fit.sine, fit.cosine);
     for (int k = 0; k < 360; ++k) CHECK(cost(best) <= cost(k * 0.0174533) + 1e-12);
   }
+}
+
+TEST_CASE("turning the targets turns their moments") {
+  std::mt19937_64 random(4);
+  PointMoments<double> moments, turned;
+  const double c = std::cos(0.7), s = std::sin(0.7);
+  for (const Pair& pair : random_pairs(random)) {
+    moments.add(pair.w, pair.share, pair.p, pair.t);
+    turned.add(pair.w, pair.share, pair.p, Rotationd::about(Vector3d{0, 0, 1}, 0.7) * pair.t);
+  }
+  moments.turn_targets(c, s);
+  CHECK(norm(moments.t - turned.t) < 1e-12);
+  for (int i = 0; i < 9; ++i) CHECK(moments.pt.m[i] == doctest::Approx(turned.pt.m[i]).epsilon(1e-12));
 }

@@ -17,7 +17,7 @@ std::vector<double> solve(const HandProfile& profile, int finger, double delta_r
   for (int slot = 0; slot < kSlotCount; ++slot)
     if (profile.fingers[finger].slots[slot]) std::fill_n(action.begin() + kSlotCount + 2 * slot, 2, delta_r);
   CascadeSolver<double> solver(profile, {.passes = 3});
-  REQUIRE(solver.solve({.values = action, .driving_vectors_phi = {}}, q) == Status::ok);
+  REQUIRE(solver.solve({.values = action}, q) == Status::ok);
   return q;
 }
 

@@ -1,0 +1,1 @@
+uhas-explain-hand hand/allegro_right.urdf --jsno

@@ -1,0 +1,1 @@
+uhas-explain-hand --version

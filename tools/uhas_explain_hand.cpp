@@ -1,0 +1,31 @@
+// uhas-explain-hand: what is inferred of a hand, how surely, and why.
+#include <iostream>
+
+#include "common/hand_explanation.hpp"
+#include "common/hand_input.hpp"
+
+using namespace uhas;
+using namespace uhas::tools;
+
+namespace {
+
+ExitCode explain(Tool& tool) {
+  HandInput input;
+  std::string config_output;
+  tool.options().description("Tells what is inferred of a robot hand from its URDF, how surely, and why.");
+  add_hand_options(tool.options(), input);
+  add_write_config_option(tool.options(), config_output);
+  tool.parse();
+
+  const BuildStages stages = run_stages(tool, input, Stage::classification);
+  write_hand_config(config_output, stages, input.settings);
+  if (tool.json())
+    std::cout << to_text(hand_explanation_json(stages, input.settings));
+  else
+    print_hand_explanation(std::cout, stages);
+  return ExitCode::done;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) { return run_tool("uhas-explain-hand", argc, argv, explain); }

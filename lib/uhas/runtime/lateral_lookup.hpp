@@ -1,4 +1,4 @@
-// Look-up in a lateral table in constant time.
+// Look-up in a lateral table: a joint value from delta theta in constant time, and the way back.
 #pragma once
 
 #include <algorithm>
@@ -19,6 +19,19 @@ Real look_up_lateral(std::span<const Real> inverse_q, Real lower, Real upper, Re
   const int side = delta_theta < Real(0) ? -1 : 1;
   const Real near = inverse_q[m + side * step], far = inverse_q[m + side * (step + 1)];
   return near + (position - Real(step)) * (far - near);
+}
+
+/// The way back: the delta theta at which `look_up_lateral` gives `q`, which is held within the table's range.
+template <class Real>
+Real look_up_delta_theta(std::span<const Real> inverse_q, Real lower, Real upper, Real q) {
+  const int m = static_cast<int>(inverse_q.size() / 2);
+  const Real sign = inverse_q.back() < inverse_q.front() ? Real(-1) : Real(1);
+  const Real held = std::clamp(sign * q, sign * inverse_q.front(), sign * inverse_q.back());
+  const auto above = std::partition_point(inverse_q.begin() + 1, inverse_q.end() - 1, [&](Real v) { return sign * v < held; });
+  const Real before = sign * *(above - 1), after = sign * *above;
+  const Real within = after > before ? (held - before) / (after - before) : Real(0);
+  const Real position = Real(above - 1 - inverse_q.begin()) + within - Real(m);  // steps away from the middle
+  return position / Real(m) * (position < Real(0) ? -lower : upper);
 }
 
 }  // namespace uhas

@@ -11,6 +11,7 @@
 #include "support/small_profile.hpp"
 #include "uhas/runtime/cascade_solver.hpp"
 #include "uhas/runtime/observation.hpp"
+#include "uhas/runtime/retarget.hpp"
 
 // the sanitizers bring a malloc of their own
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
@@ -84,6 +85,29 @@ TEST_CASE("10,000 observations allocate nothing") {
   counting = false;
   CHECK(allocations == 0);
   CHECK(refused == 5000);
+}
+
+TEST_CASE("encoding and retargeting allocate nothing") {
+  const HandProfile profile = test::small_profile();
+  Retargeter<double> retargeter(profile, profile);
+  std::mt19937_64 random(6);
+  std::uniform_real_distribution<double> unit(-1, 2);  // postures off the manifold and beyond the limits
+  std::vector<double> postures(5 * 100), q(5), batch(5 * 10);
+  for (double& value : postures) value = unit(random);
+  postures[5 * 3] = std::numeric_limits<double>::infinity();
+  std::vector<EncodeReport> reports(10);
+  int refused = 0;
+  allocations = 0;
+  counting = true;
+  for (int n = 0; n < 1000; ++n) {
+    const std::span<const double> posture = std::span(postures).subspan(5 * (n % 100), n % 100 == 4 ? 4 : 5);
+    refused += retargeter.retarget(posture, q, reports[0]) != Status::ok;
+  }
+  for (int n = 0; n < 10; ++n)
+    refused += retargeter.retarget_batch(std::span(postures).subspan(50 * n, 50), batch, reports) != Status::ok;
+  counting = false;
+  CHECK(allocations == 0);
+  CHECK(refused == 21);
 }
 
 #endif

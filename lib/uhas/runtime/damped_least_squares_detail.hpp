@@ -1,0 +1,51 @@
+// Small linear least squares with damping: minimises sum of weight (a . x - b)^2 + damping |x|^2 over x.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <span>
+
+namespace uhas {
+
+/// The normal equations of at most `max_unknowns` unknowns; plain double, no allocation.
+template <int max_unknowns>
+class DampedLeastSquares {
+ public:
+  explicit DampedLeastSquares(int unknowns) : n_(unknowns) {}
+
+  /// One equation a . x = b. `a`: one coefficient an unknown.
+  void add(std::span<const double> a, double b, double weight) noexcept {
+    for (int i = 0; i < n_; ++i) {
+      for (int j = 0; j <= i; ++j) A_[i * max_unknowns + j] += weight * a[i] * a[j];
+      y_[i] += weight * a[i] * b;
+    }
+  }
+
+  /// The minimum, by Cholesky's factorisation; `damping` > 0 makes it unique.
+  std::array<double, max_unknowns> solve(double damping) const noexcept {
+    std::array<double, max_unknowns * max_unknowns> L{};
+    std::array<double, max_unknowns> x{};
+    for (int i = 0; i < n_; ++i) {
+      for (int j = 0; j <= i; ++j) {
+        double sum = A_[i * max_unknowns + j] + (i == j ? damping : 0.0);
+        for (int k = 0; k < j; ++k) sum -= L[i * max_unknowns + k] * L[j * max_unknowns + k];
+        L[i * max_unknowns + j] = i == j ? std::sqrt(sum) : sum / L[j * max_unknowns + j];
+      }
+      double sum = y_[i];
+      for (int k = 0; k < i; ++k) sum -= L[i * max_unknowns + k] * x[k];
+      x[i] = sum / L[i * max_unknowns + i];
+    }
+    for (int i = n_; i-- > 0;) {
+      for (int k = i + 1; k < n_; ++k) x[i] -= L[k * max_unknowns + i] * x[k];
+      x[i] /= L[i * max_unknowns + i];
+    }
+    return x;
+  }
+
+ private:
+  int n_;
+  std::array<double, max_unknowns * max_unknowns> A_{};  // lower triangle
+  std::array<double, max_unknowns> y_{};
+};
+
+}  // namespace uhas

@@ -6,7 +6,8 @@
 //   uhas::Status status = encoder.encode(q, action, report);
 //
 // A finger has three or four joints and V + 1 numbers, so most postures have no action that gives them exactly: the
-// report says how far the nearest one found stays away. Constructing may throw and allocates; encoding does neither,
+// report says how far the nearest one found stays away. A posture that a solve with default options made comes back; the rule
+// `contact` is not smooth, and there the descent may stop far from the nearest action: read the report. Constructing may throw and allocates; encoding does neither,
 // takes no lock and reads no clock.
 #pragma once
 
@@ -41,8 +42,7 @@ class Encoder {
   int joint_count() const noexcept;  ///< length of q: every joint of the profile, mimic followers included
   int action_size() const noexcept;  ///< 5 + 5 V
 
-  /// @param q       [joint_count()] rad (m for sliding joints), in the profile's joint order. A value beyond the limits
-  /// is
+  /// @param q       [joint_count()] rad (m for sliding joints), in the profile's joint order. A value beyond the limits is
   ///                encoded as the limit; a continuous joint may be any number of turns away. The elements of mimic
   ///                followers are not read: their masters decide.
   /// @param action  [action_size()] rad and sphere radii, not normalised, within bounds; the slots of a finger hold one

@@ -10,6 +10,7 @@
 #include "uhas/anatomy/fingertip_detail.hpp"
 #include "uhas/anatomy/open_pose_detail.hpp"
 #include "uhas/anatomy/palm_plane.hpp"
+#include "uhas/anatomy/palm_slab_detail.hpp"
 #include "uhas/anatomy/palm_tree_detail.hpp"
 #include "uhas/runtime/forward_kinematics.hpp"
 
@@ -19,6 +20,9 @@ namespace {
 /// A thumb whose root and tip are within 20 degrees of straight ahead or straight against the fingers makes neither a
 /// right nor a left hand.
 constexpr double kHandedAzimuth = 20 * std::numbers::pi / 180;
+
+/// A palm normal with a standard error of 12 degrees has confidence 0.5: one of five such is off by 15 degrees or more.
+constexpr double kDoubtfulError = 12 * std::numbers::pi / 180;
 
 double root_azimuth(const PalmPlane& plane, int finger) {
   const Vector3d p = plane.roots[finger] - plane.center;
@@ -137,19 +141,30 @@ class AnatomyInference {
     }
     for (std::size_t i = 0; i < count(); ++i) find_closing_side(anatomy_, anatomy_.fingers[i], center, flexions_[i]);
     agree_on_closing_side(anatomy_, flexions_);
+    slab_ = find_palm_slab(model_, anatomy_);
     extend_fingers();
   }
 
   /// Straightens every finger for the present values of its side joints.
   void extend_fingers() {
-    known_base_.clear();
+    base_error_.clear();
+    const BaseEvidence evidence = {is_straight_at_zero(), slab_};
     for (std::size_t i = 0; i < count(); ++i) {
       std::vector<double> extended = q_;
-      known_base_.push_back(extend_finger(anatomy_, anatomy_.fingers[i], flexions_[i], extended));
+      base_error_.push_back(extend_finger(anatomy_, anatomy_.fingers[i], flexions_[i], evidence, extended));
       for (int joint : anatomy_.fingers[i].joints)
         if (const int variable = variable_of(anatomy_.tree, joint); !held_[variable]) q_[variable] = extended[variable];
     }
     apply_mimics(anatomy_.tree, q_);
+  }
+
+  /// Whether most of the fingers whose phalanges can tell are straight at zero.
+  bool is_straight_at_zero() const {
+    int votes = 0;
+    for (std::size_t i = 0; i < count(); ++i)
+      if (const auto straight = uhas::is_straight_at_zero(anatomy_, anatomy_.fingers[i], flexions_[i], q_))
+        votes += *straight ? 1 : -1;
+    return votes > 0;
   }
 
   std::vector<FingerPosture> measure_postures() {
@@ -212,6 +227,23 @@ class AnatomyInference {
     return anatomy_.palm_normal_palm;
   }
 
+  /// Standard error of the palm normal (rad), from what does not depend on each other: the angle between the fingers' bases
+  /// and the palm, which they may share; how the fingers' closing directions spread; how far the palm's surface is turned
+  /// from them about the fingers' axes (sideways palms are no slabs: a thumb's ball tilts the human one by 12 degrees).
+  /// Opposing fingers close around their axis whatever their bases do.
+  double normal_error(const PalmNormal& found) const {
+    if (found.opposing) return 0;
+    double base = 0, fingers = 0;
+    for (std::size_t i = 0; i < count(); ++i)
+      if (static_cast<int>(i) != anatomy_.thumb) base += base_error_[i], ++fingers;
+    double unexplained = 0;
+    if (slab_) {
+      const double tilt = std::atan(dot(*slab_, cross(found.axis, found.normal)) / dot(*slab_, found.normal));
+      unexplained = std::max(0.0, tilt * tilt - kSlabError * kSlabError);
+    }
+    return std::sqrt(base * base / (fingers * fingers) + found.spread * found.spread + unexplained);
+  }
+
   void note_normal(const PalmNormal& found) {
     const Vector3d n = anatomy_.palm_normal_root;
     const auto number = [](double component) {
@@ -220,14 +252,10 @@ class AnatomyInference {
     };
     const std::string value = number(n.x) + " " + number(n.y) + " " + number(n.z);
     if (config_.palm_normal_in_root) return note("palm_normal_in_root", value, kStatedInConfig, 1);
-    constexpr double guess = 0.45;  // the angle of the fingers' bases to the palm may be 15 degrees off
     double evidence = 0;
-    bool known = false;
-    for (std::size_t i = 0; i < count(); ++i) {
-      evidence += flexions_[i].evidence / static_cast<double>(count());
-      if (static_cast<int>(i) != anatomy_.thumb && known_base_[i]) known = true;
-    }
-    const double confidence = std::min({found.coherence, 2 * evidence, known ? 1.0 : guess});
+    for (const Flexion& flexion : flexions_) evidence += flexion.evidence / static_cast<double>(count());
+    const double error = normal_error(found) / kDoubtfulError;
+    const double confidence = std::min({found.coherence, 2 * evidence, 1 / (1 + error * error)});
     note("palm_normal_in_root", value,
          found.opposing ? "the axis around which opposing fingers close"
                         : "mean direction in which the fingers close, the side of their larger joint ranges",
@@ -302,7 +330,8 @@ class AnatomyInference {
   double mean_length_ = 0;                           ///< of the fingers
   std::vector<const StatedFingertip*> stated_tips_;  ///< one a finger; null = inferred
   std::vector<Flexion> flexions_;                    ///< one a finger
-  std::vector<bool> known_base_;                     ///< one a finger: the angle of its base to the palm is no guess
+  std::optional<Vector3d> slab_;                     ///< normal of the palm's surface, of either sign, in P
+  std::vector<double> base_error_;                   ///< one a finger: of the angle of its base to the palm (rad)
   std::vector<FingerPosture> postures_;              ///< one a finger, at `q_`
   std::vector<double> q_;
   std::vector<bool> held_;  ///< joints whose open value the config sets

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <optional>
 
+#include "uhas/anatomy/palm_slab_detail.hpp"
 #include "uhas/runtime/forward_kinematics.hpp"
 
 namespace uhas {
@@ -17,6 +18,8 @@ constexpr double kParallel = 0.866;
 /// A straight phalanx at zero may be this part shorter than the longest reach: fingertips are offset from the joint's
 /// line.
 constexpr double kStraightTolerance = 0.015;
+/// ... but no further from straight than this (rad): short phalanges bend far before they cost reach.
+constexpr double kStraightAngle = 0.15;
 /// Fingers bend back at most this far (rad); a zero so near to the open end is where the designer put "straight".
 constexpr double kHyperextension = 0.4;
 /// Where "straight" lies from the open end on when zero does not tell (rad).
@@ -24,9 +27,14 @@ constexpr double kTypicalHyperextension = 0.15;
 
 /// Ranges that differ by this part of their sum tell the closing side.
 constexpr double kClearAsymmetry = 0.3;
-/// A side joint's axis tells how the palm lies when it is within 25 degrees of a right angle to where the finger seems
-/// to be.
-constexpr double kSideAxisDeviation = 0.44;
+/// A side joint's axis, or the palm's slab, tells how the palm lies when it is within 25 degrees of a right angle to where
+/// the finger seems to be.
+constexpr double kPalmAxisDeviation = 0.44;
+/// Standard errors of the angle between a finger's base and the palm (rad): where the designer's zero, a metacarpal or a
+/// side joint's axis tells it; where only the range of the joint is known.
+constexpr double kKnownBaseError = 0.09, kGuessedBaseError = 0.26;
+/// A zero this far outside the limits still counts as their end (rad).
+constexpr double kZeroSlack = 0.02;
 /// From this part of the finger's length on, what lies between its root and its first flexion joint is a phalanx too,
 /// and the finger is straight when it continues that.
 constexpr double kShortestMetacarpal = 0.15;
@@ -60,7 +68,9 @@ std::vector<int> straighten(const Anatomy& anatomy, const FingerAnatomy& finger,
       pose_finger(anatomy, finger, q, pose);
       return norm(pose.tip - pose.origin[base]);
     };
-    set_joint(anatomy.tree, variable, preferred_value(anatomy.tree.joints[variable], tolerance, reach), q);
+    const Joint& joint = anatomy.tree.joints[variable];
+    const double preferred = preferred_value(joint, tolerance, reach), straight = preferred_value(joint, 0, reach);
+    set_joint(anatomy.tree, variable, std::abs(preferred - straight) <= kStraightAngle ? preferred : straight, q);
     set.push_back(variable);
   }
   return set;
@@ -93,19 +103,16 @@ void find_jaw_closing_side(const FingerPose& pose, Vector3d hand_center, Flexion
   flexion.evidence = norm(inward) > 0 ? std::min(1.0, 2 * std::abs(toward) / norm(inward)) : 0;
 }
 
-/// How far the finger would have to close (rad) for the side joint just before its first flexion joint to turn about
-/// the closing direction or about the finger's own; nothing when it does neither nearly.
-std::optional<double> turn_to_side_axis(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion,
-                                        std::span<const double> q, FingerPose& pose) {
+/// How far the finger would have to close (rad) for `axis`, which belongs to the palm, to stand along the closing
+/// direction or along the finger's own; nothing when it does neither nearly.
+std::optional<double> turn_to_axis(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion,
+                                   std::span<const double> q, Vector3d axis, FingerPose& pose) {
   constexpr double quarter = std::numbers::pi / 2, across = 0.35;
-  const int side = flexion.positions.front() - 1;
   const FingerPosture posture = measure_posture(anatomy, finger, flexion, q, pose);
-  const Vector3d axis = pose.axis[side];
-  const bool turns = anatomy.tree.joints[finger.joints[side]].kind != JointKind::prismatic;
-  if (!turns || std::abs(dot(axis, posture.axis)) > across) return std::nullopt;
+  if (std::abs(dot(axis, posture.axis)) > across) return std::nullopt;
   const double angle = std::atan2(dot(axis, posture.closing), dot(axis, posture.direction));
   const double turn = std::remainder(angle, quarter);
-  if (std::abs(turn) > kSideAxisDeviation) return std::nullopt;
+  if (std::abs(turn) > kPalmAxisDeviation) return std::nullopt;
   return turn;
 }
 
@@ -201,25 +208,31 @@ void agree_on_closing_side(const Anatomy& anatomy, std::span<Flexion> flexions) 
   }
 }
 
-bool extend_finger(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion, std::span<double> q) {
+std::optional<bool> is_straight_at_zero(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion,
+                                        std::vector<double> q) {
+  const std::vector<int> straight = straighten(anatomy, finger, flexion, q);
+  if (straight.empty()) return std::nullopt;
+  return std::all_of(straight.begin(), straight.end(), [&](int variable) { return q[variable] == 0; });
+}
+
+double extend_finger(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion,
+                     const BaseEvidence& evidence, std::span<double> q) {
   const std::vector<int> straight = straighten(anatomy, finger, flexion, q);
   const int first = flexion.positions.front();
   const int variable = variable_of(anatomy.tree, finger.joints[first]);
-  if (std::find(straight.begin(), straight.end(), variable) != straight.end()) return true;
+  if (std::find(straight.begin(), straight.end(), variable) != straight.end()) return kKnownBaseError;
 
-  // Who put zero where the phalanges are straight put it where the base is straight too.
-  const bool zero_is_straight = std::all_of(straight.begin(), straight.end(), [&](int v) { return q[v] == 0; });
   FingerPose pose;
   pose_finger(anatomy, finger, q, pose);
   const Joint& joint = anatomy.tree.joints[variable];
   const double sense = flexion.closing_sign * flexion_rate(anatomy, finger, pose, first, flexion.positions.back());
   const double open_end = sense > 0 ? joint.lower : joint.upper;
   const double length = finger_length(anatomy, finger);
-  double value = open_end;
-  bool is_guess = false;
+  const bool zero_in_range = joint.lower <= kZeroSlack && joint.upper >= -kZeroSlack;
+  double value = open_end, error = kKnownBaseError;
   if (flexion.sliding) {
     // a jaw is open at the end of its range
-  } else if (zero_is_straight && std::abs(open_end) <= kHyperextension) {
+  } else if (evidence.zero_is_straight && zero_in_range && std::abs(open_end) <= kHyperextension) {
     value = clamp_to_limits(joint, 0.0);
   } else if (norm(pose.origin[first] - pose.origin.front()) > kShortestMetacarpal * length) {
     value = preferred_value(joint, kStraightTolerance * length, [&](double candidate) {
@@ -230,16 +243,28 @@ bool extend_finger(const Anatomy& anatomy, const FingerAnatomy& finger, const Fl
   } else {
     const double bent_back = std::min(kTypicalHyperextension, (joint.upper - joint.lower) / 4);
     value = open_end + (sense > 0 ? bent_back : -bent_back);
-    is_guess = true;
+    error = kGuessedBaseError;
   }
   set_joint(anatomy.tree, variable, value, q);
-  if (flexion.sliding || first == 0) return !is_guess;
+  const auto turn_by = [&](double angle) {
+    value = clamp_to_limits(joint, value + angle / sense);
+    set_joint(anatomy.tree, variable, value, q);
+  };
+  if (flexion.sliding) return error;
+
+  if (error == kGuessedBaseError && evidence.slab) {
+    const std::optional<double> turn = turn_to_axis(anatomy, finger, flexion, q, *evidence.slab, pose);
+    if (turn) turn_by(*turn), error = kSlabError;
+  }
+  if (first == 0) return error;
 
   // A side joint before it turns about the palm normal or about the finger: two estimates are better than one.
-  const std::optional<double> turn = turn_to_side_axis(anatomy, finger, flexion, q, pose);
-  if (!turn) return !is_guess;
-  set_joint(anatomy.tree, variable, clamp_to_limits(joint, value + *turn * (is_guess ? 1 : 0.5) / sense), q);
-  return true;
+  pose_finger(anatomy, finger, q, pose);
+  if (anatomy.tree.joints[finger.joints[first - 1]].kind == JointKind::prismatic) return error;
+  const std::optional<double> turn = turn_to_axis(anatomy, finger, flexion, q, pose.axis[first - 1], pose);
+  if (!turn) return error;
+  turn_by(error == kGuessedBaseError ? *turn : *turn / 2);
+  return kKnownBaseError;
 }
 
 FingerPosture measure_posture(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion,

@@ -1,6 +1,7 @@
 // How a finger bends: which of its joints flex it, to which side it closes, how it stands when extended.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,10 +30,23 @@ void find_closing_side(const Anatomy& anatomy, const FingerAnatomy& finger, Vect
 /// Fingers that stand side by side along parallel flexion axes close to the same side: they vote, by their evidence.
 void agree_on_closing_side(const Anatomy& anatomy, std::span<Flexion> flexions);
 
+/// Whether the finger's phalanges are straight with their joints at zero; nothing when it has no joint between phalanges
+/// that stands free. `q` holds the values of the other joints.
+std::optional<bool> is_straight_at_zero(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion,
+                                        std::vector<double> q);
+
+/// What the rest of the hand knows about the angle between a finger's base and the palm.
+struct BaseEvidence {
+  bool zero_is_straight = false;  ///< the hand's fingers are straight at zero, so zero is where its designer opened it
+  std::optional<Vector3d> slab;   ///< normal of the palm's slab, of either sign
+};
+
 /// Extends the finger in `q`: distal flexion joints straight, the first one at a zero near the open end of its range,
-/// else straight with what comes before it, else just short of the open end; a side joint before it has a say. Other
-/// joints keep their values. Returns false when the first one's value is no more than a guess.
-bool extend_finger(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion, std::span<double> q);
+/// else straight with what comes before it, else square to the palm's slab, else just short of the open end; a side joint
+/// before it has a say. Other joints keep their values.
+/// Returns how far off the first one's value may be (rad, a standard error).
+double extend_finger(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion,
+                     const BaseEvidence& evidence, std::span<double> q);
 
 /// A finger as the rest of the hand sees it; unit vectors, orthogonal to each other.
 struct FingerPosture {

@@ -52,7 +52,7 @@ Thumb find_thumb(std::span<const FingerPosture> postures, double finger_length) 
     }
   }
   const double margin = std::min((thumb.likeness - kRowLikeness) / 0.2, (thumb.difference - kThumbDifference) / 0.3);
-  thumb.confidence = std::clamp(0.5 + 0.5 * std::abs(margin), 0.0, 1.0);
+  thumb.confidence = std::min(1.0, 0.4 + std::abs(margin));
   if (margin < 0) thumb.finger = -1;
   return thumb;
 }

@@ -7,11 +7,13 @@
 
 namespace uhas {
 
-/// Standard error of a slab's axis against the palm normal (rad): 5 degrees on Shadow, under 1 on other real hands.
-inline constexpr double kSlabError = 0.1;
+struct PalmSlab {
+  Vector3d normal;   ///< thinnest axis of the palm's surface, unit, in P, pointing to either side
+  double error = 0;  ///< of its angle to the palm normal (rad, a standard error)
+};
 
-/// The thinnest axis of the palm's surface, unit, in P, pointing to either side; nothing when the palm has no geometry or
-/// is no slab. Reads the palm's links.
-std::optional<Vector3d> find_palm_slab(const HandModel& model, const Anatomy& anatomy);
+/// Nothing when the palm has no geometry or is no slab. Reads the palm's links.
+/// @param knuckle_center  in P: a palm reaches toward it, and a slab that does not is tilted
+std::optional<PalmSlab> find_palm_slab(const HandModel& model, const Anatomy& anatomy, Vector3d knuckle_center);
 
 }  // namespace uhas

@@ -9,6 +9,7 @@
 #include "uhas/anatomy/digits_detail.hpp"
 #include "uhas/anatomy/extension_detail.hpp"
 #include "uhas/anatomy/fingertip_detail.hpp"
+#include "uhas/anatomy/normal_error_detail.hpp"
 #include "uhas/anatomy/open_pose_detail.hpp"
 #include "uhas/anatomy/palm_plane.hpp"
 #include "uhas/anatomy/palm_slab_detail.hpp"
@@ -24,9 +25,6 @@ constexpr double kHandedAzimuth = 20 * std::numbers::pi / 180;
 
 /// A palm normal with a standard error of 12 degrees has confidence 0.5: one of five such is off by 15 degrees or more.
 constexpr double kDoubtfulError = 12 * std::numbers::pi / 180;
-
-/// Standard error of a roll joint's neutral value where zero does not tell it (rad).
-constexpr double kGuessedRoll = 0.26;
 
 /// From this margin on the side to which a thumb closes is clear; the largest is 2.
 constexpr double kClearThumbSide = 0.6;
@@ -258,43 +256,6 @@ class AnatomyInference {
     return anatomy_.palm_normal_palm;
   }
 
-  /// Standard error of the palm normal (rad), from what does not depend on each other: the angle between the fingers'
-  /// bases and the palm, which they may share; which way they are rolled; how their closing directions spread; how far
-  /// the palm's surface is turned from them about the fingers' axes (sideways palms are no slabs: a thumb's ball tilts
-  /// the human one by 12 degrees). What opposing fingers share cancels.
-  double normal_error(const PalmNormal& found) const {
-    double base = 0, squares = 0, roll = 0, fingers = 0;
-    for (std::size_t i = 0; i < count(); ++i) {
-      const double error = flexions_[i].base_error;
-      squares += error * error / static_cast<double>(count() * count());
-      if (static_cast<int>(i) == anatomy_.thumb) continue;
-      base += error;
-      roll += roll_error(i);
-      ++fingers;
-    }
-    if (found.opposing) return std::sqrt(squares);
-    double unexplained = 0;
-    if (slab_) {
-      const Vector3d s = slab_->normal;
-      const double tilt = std::atan(dot(s, cross(found.axis, found.normal)) / dot(s, found.normal));
-      unexplained = std::max(0.0, tilt * tilt - slab_->error * slab_->error);
-    }
-    return std::sqrt((base * base + roll * roll) / (fingers * fingers) + found.spread * found.spread + unexplained);
-  }
-
-  /// How far a finger may be rolled about its own direction (rad, a standard error) by joints whose open value is a
-  /// guess.
-  double roll_error(std::size_t finger) const {
-    if (zero_is_straight_) return 0;
-    FingerPose pose;
-    pose_finger(anatomy_, anatomy_.fingers[finger], q_, pose);
-    double rolled = 0;
-    for (int i = 0; i < flexions_[finger].positions.back(); ++i)
-      if (std::ranges::find(flexions_[finger].positions, i) == flexions_[finger].positions.end())
-        rolled = std::max(rolled, std::abs(dot(pose.axis[i], postures_[finger].direction)));
-    return kGuessedRoll * rolled;
-  }
-
   void note_normal(const PalmNormal& found) {
     const Vector3d n = anatomy_.palm_normal_root;
     const auto number = [](double component) {
@@ -305,7 +266,8 @@ class AnatomyInference {
     if (config_.palm_normal_in_root) return note("palm_normal_in_root", value, kStatedInConfig, 1);
     double evidence = 0;
     for (const Flexion& flexion : flexions_) evidence += flexion.evidence / static_cast<double>(count());
-    const double error = normal_error(found) / kDoubtfulError;
+    const NormalWitnesses witnesses = {flexions_, postures_, slab_, zero_is_straight_};
+    const double error = palm_normal_error(anatomy_, found, witnesses, q_) / kDoubtfulError;
     const double confidence = found.coherence * std::min(1.0, 2 * evidence) / (1 + error * error);
     note("palm_normal_in_root", value,
          found.opposing ? "the axis around which opposing fingers close"

@@ -160,6 +160,8 @@ class AnatomyInference {
     for (std::size_t i = 0; i < count(); ++i) {
       std::vector<double> extended = q_;
       extend_finger(anatomy_, anatomy_.fingers[i], evidence, flexions_[i], extended);
+      const int base = anatomy_.fingers[i].joints[flexions_[i].positions.front()];
+      if (held_[variable_of(anatomy_.tree, base)]) flexions_[i].base_error = 0, flexions_[i].base_is_guess = false;
       for (int joint : anatomy_.fingers[i].joints) {
         const int variable = variable_of(anatomy_.tree, joint);
         sum[variable] += extended[variable];

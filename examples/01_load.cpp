@@ -9,7 +9,8 @@ int main(int argc, char** argv) {
   if (argc != 2) return std::cerr << "usage: 01_load hand.h5\n", 2;
   try {
     const uhas::HandProfile profile = uhas::read_profile(argv[1]);  // the one call that may fail: it reads a file
-    std::cout << profile.hand << ": a sphere of radius " << profile.radius << " m, fixed to " << profile.palm_link << '\n';
+    std::cout << profile.hand << ": a sphere of radius " << profile.radius << " m, fixed to " << profile.palm_link
+              << '\n';
 
     // every array of joint values, anywhere, has this order
     for (const uhas::Joint& joint : profile.tree.joints)

@@ -29,8 +29,8 @@ int main(int argc, char** argv) {
     const char* names[] = {"pinky", "ring", "middle", "index", "thumb"};
     for (int slot = 0; slot < uhas::kSlotCount; ++slot) {
       const double* tip = &observation[(2 * slot + 1) * uhas::kPointNumbers];
-      std::cout << names[slot] << " tip at " << tip[0] << ' ' << tip[1] << ' ' << tip[2] << ", moving at " << tip[3] << ' '
-                << tip[4] << ' ' << tip[5] << " radii a second\n";
+      std::cout << names[slot] << " tip at " << tip[0] << ' ' << tip[1] << ' ' << tip[2] << ", moving at " << tip[3]
+                << ' ' << tip[4] << ' ' << tip[5] << " radii a second\n";
     }
   } catch (const uhas::Error& error) {
     std::cerr << "05_observation: error: " << error.what() << '\n';

@@ -64,8 +64,8 @@ int SphereController<Real>::joint_count() const noexcept {
 template <class Real>
 Status SphereController<Real>::reset(std::span<const Real> q, std::span<Real> targets) const noexcept {
   const Motions& motions = *motions_;
-  if (q.size() != motions.size() || targets.size() != motions.size()) return Status::wrong_size;
-  if (!is_finite(q)) return Status::non_finite_input;
+  if (targets.size() != motions.size()) return Status::wrong_size;
+  if (const Status status = check(q); status != Status::ok) return status;
   for (std::size_t i = 0; i < motions.size(); ++i)
     if (motions[i].master < 0) targets[i] = std::clamp(q[i], motions[i].lower, motions[i].upper);
   follow(targets);
@@ -75,9 +75,8 @@ Status SphereController<Real>::reset(std::span<const Real> q, std::span<Real> ta
 template <class Real>
 Status SphereController<Real>::update(const Action<Real>& action, Real dt, std::span<Real> targets) noexcept {
   const Motions& motions = *motions_;
-  if (targets.size() != motions.size()) return Status::wrong_size;
   if (!std::isfinite(dt) || dt <= 0) return Status::invalid_period;
-  if (!is_finite(targets)) return Status::non_finite_input;
+  if (const Status status = check(targets); status != Status::ok) return status;
   if (const Status status = solver_.solve(action, goal_); status != Status::ok) return status;
 
   const Real share = time_constant_ > 0 ? -std::expm1(-dt / time_constant_) : Real(1);
@@ -94,10 +93,11 @@ Status SphereController<Real>::update(const Action<Real>& action, Real dt, std::
 }
 
 template <class Real>
-bool SphereController<Real>::is_finite(std::span<const Real> q) const noexcept {
+Status SphereController<Real>::check(std::span<const Real> q) const noexcept {
+  if (q.size() != motions_->size()) return Status::wrong_size;
   for (std::size_t i = 0; i < q.size(); ++i)
-    if ((*motions_)[i].master < 0 && !std::isfinite(q[i])) return false;
-  return true;
+    if ((*motions_)[i].master < 0 && !std::isfinite(q[i])) return Status::non_finite_input;
+  return Status::ok;
 }
 
 // followers stand where their masters put them

@@ -52,6 +52,9 @@ class SphereController {
   /// @param targets  [joint_count()] out; untouched on any status but ok
   Status reset(std::span<const Real> q, std::span<Real> targets) const noexcept;
 
+  /// What a reset to `q` would be refused for: ok, wrong_size or non_finite_input.
+  Status check(std::span<const Real> q) const noexcept;
+
   /// One control period.
   /// @param action   as CascadeSolver takes it
   /// @param dt       s, since the last update; > 0 and finite, else Status::invalid_period
@@ -71,7 +74,6 @@ class SphereController {
   };
   using Motions = std::vector<Motion>;
 
-  bool is_finite(std::span<const Real> q) const noexcept;
   void follow(std::span<Real> targets) const noexcept;
 
   CascadeSolver<Real> solver_;

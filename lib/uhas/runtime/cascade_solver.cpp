@@ -1,10 +1,7 @@
 #include "uhas/runtime/cascade_solver.hpp"
 
-#include <algorithm>
-#include <string>
-
 #include "uhas/runtime/cascade_contact_detail.hpp"
-#include "uhas/runtime/cascade_kernel_detail.hpp"
+#include "uhas/runtime/cascade_lanes_kernel_detail.hpp"
 
 namespace uhas {
 namespace {
@@ -17,22 +14,13 @@ using Wide = Lanes<Real, 16 / int(sizeof(Real)), Here>;  // 128 bits
 }  // namespace
 
 template <class Real>
-struct CascadeSolver<Real>::Model : SolverModel<Real> {
-  using SolverModel<Real>::SolverModel;
-};
-
-template <class Real>
 struct CascadeSolver<Real>::Scratch : Cascade<Real, Wide<Real>> {
   using Cascade<Real, Wide<Real>>::Cascade;
 };
 
 template <class Real>
 CascadeSolver<Real>::CascadeSolver(const HandProfile& profile, const SolveOptions& options) {
-  constexpr int max_passes = 100;
-  if (options.passes < 1 || options.passes > max_passes)
-    throw Error(ErrorCode::invalid_action, "", "passes is " + std::to_string(options.passes), "choose a number from 1 to 100");
-  validate_profile(profile, "");
-  model_ = std::make_shared<const Model>(profile, options);
+  model_ = compile_solver_model<Real>(profile, options);
   scratch_ = std::make_unique<Scratch>(*model_);
 }
 
@@ -84,6 +72,15 @@ Status CascadeSolver<Real>::solve(const Action<Real>& action, std::span<Real> q,
   for (std::size_t i = 0; i < report.at_limit.size(); ++i) report.at_limit[i] = cascade.at_limit(static_cast<int>(i));
   for (std::size_t i = 0; i < report.closed.size(); ++i) report.closed[i] = cascade.closed(static_cast<int>(i));
   return Status::ok;
+}
+
+template <>
+CascadeLanes<float> cascade_lanes_scalar() {
+  return CascadeLanesOf<float, Wide<float>>::functions();
+}
+template <>
+CascadeLanes<double> cascade_lanes_scalar() {
+  return CascadeLanesOf<double, Wide<double>>::functions();
 }
 
 template class CascadeSolver<float>;

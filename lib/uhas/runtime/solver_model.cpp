@@ -5,6 +5,7 @@
 #include <numbers>
 #include <numeric>
 #include <span>
+#include <string>
 #include <tuple>
 
 #include "uhas/base/spherical.hpp"
@@ -304,6 +305,17 @@ SolverModel<Real>::SolverModel(const HandProfile& profile, const SolveOptions& s
   for (int k = 0; k < static_cast<int>(patches.size()); ++k) patches_of_finger[patches[k].finger].push_back(k);
 }
 
+template <class Real>
+std::shared_ptr<const SolverModel<Real>> compile_solver_model(const HandProfile& profile, const SolveOptions& options) {
+  constexpr int max_passes = 100;
+  if (options.passes < 1 || options.passes > max_passes)
+    throw Error(ErrorCode::invalid_action, "", "passes is " + std::to_string(options.passes), "choose a number from 1 to 100");
+  validate_profile(profile, "");
+  return std::make_shared<const SolverModel<Real>>(profile, options);
+}
+
+template std::shared_ptr<const SolverModel<float>> compile_solver_model<float>(const HandProfile&, const SolveOptions&);
+template std::shared_ptr<const SolverModel<double>> compile_solver_model<double>(const HandProfile&, const SolveOptions&);
 template struct SolverModel<float>;
 template struct SolverModel<double>;
 

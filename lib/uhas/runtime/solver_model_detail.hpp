@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -133,6 +134,10 @@ struct SolverModel {
   std::vector<std::vector<int>> plane_groups;  ///< fingers whose planes stand closer than 5 degrees, by azimuth
   std::vector<int> group_of_finger;            ///< [finger] index into `plane_groups`
 };
+
+/// Throws Error: invalid_profile for a profile that `validate_profile` refuses, invalid_action for passes out of range.
+template <class Real>
+std::shared_ptr<const SolverModel<Real>> compile_solver_model(const HandProfile& profile, const SolveOptions& options);
 
 extern template struct SolverModel<float>;
 extern template struct SolverModel<double>;

@@ -46,7 +46,8 @@ typedef enum uhas_status {
   UHAS_NON_FINITE_INPUT = 1,        /* NaN or infinity in the input */
   UHAS_WRONG_SIZE = 2,              /* an array of the wrong length */
   UHAS_INVALID_DRIVING_VECTORS = 3, /* driving-vector angles not strictly increasing in (0, pi) */
-  UHAS_INVALID_PERIOD = 4           /* a control period that is not a positive finite number */
+  UHAS_UNKNOWN_HAND = 4,            /* a row for a hand that the solver does not have */
+  UHAS_INVALID_PERIOD = 5           /* a control period that is not a positive finite number */
 } uhas_status;
 
 /* A short English sentence; never NULL. */

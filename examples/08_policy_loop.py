@@ -18,6 +18,10 @@ class ControllerOptions(ctypes.Structure):  # uhas_controller_options
                 ("time_constant", ctypes.c_double), ("solve", ctypes.c_void_p)]
 
 
+class BatchOptions(ctypes.Structure):  # uhas_batch_options
+    _fields_ = [("struct_size", ctypes.c_size_t), ("threads", ctypes.c_int)]
+
+
 def create(function, *arguments):
     """The handle that a load or create function makes."""
     handle, message = ctypes.c_void_p(), ctypes.create_string_buffer(256)
@@ -49,12 +53,16 @@ for counter in (uhas.uhas_profile_joint_count, uhas.uhas_observer_size):
 profile = create(uhas.uhas_profile_load, sys.argv[2].encode())
 options = ControllerOptions(ctypes.sizeof(ControllerOptions), 1.0, 0.95, 0.05, None)
 controller = create(uhas.uhas_controller_create, profile, ctypes.byref(options))
+profiles = (ctypes.c_void_p * 1)(profile)  # several hands, if you like: see `hands` in uhas_batch_solve
+threads = BatchOptions(ctypes.sizeof(BatchOptions), 2)
+batch = create(uhas.uhas_batch_create, profiles, ctypes.c_size_t(1), None, ctypes.byref(threads))
 observer = create(uhas.uhas_observer_create, profile, None)
 
 # float32, C order, one row a hand; made once and filled in place
 joints = uhas.uhas_profile_joint_count(profile)
 q = np.zeros((HANDS, joints), np.float32)
 qd = np.zeros_like(q)
+solutions = np.zeros_like(q)
 targets = np.zeros_like(q)
 observations = np.zeros((HANDS, uhas.uhas_observer_size(observer)), np.float32)
 
@@ -76,7 +84,8 @@ for period in range(PERIODS):
     actions = np.tanh(observations @ weights + random.normal(0, 0.3, (HANDS, 15)).astype(np.float32))
 
     start = time.perf_counter()
-    call(uhas.uhas_controller_update_f, controller, actions, None, ctypes.c_float(DT), targets)
+    call(uhas.uhas_batch_solve_f, batch, actions, None, None, solutions, None)
+    call(uhas.uhas_controller_approach_f, controller, solutions, ctypes.c_float(DT), targets)
     spent += time.perf_counter() - start
 
     qd[:] = (targets - q) * np.float32(0.8 / DT)  # the simulator: joints follow their targets
@@ -86,5 +95,6 @@ print(f"{HANDS} hands, {PERIODS} periods: {1e9 * spent / HANDS / PERIODS:.0f} ns
 print("the first hand stands at", np.array2string(q[0], precision=3, suppress_small=True))
 
 uhas.uhas_observer_free(observer)
+uhas.uhas_batch_free(batch)
 uhas.uhas_controller_free(controller)
 uhas.uhas_profile_free(profile)

@@ -135,7 +135,16 @@ class Actions {
     return std::all_of(values_.begin(), values_.end(), [](Real value) { return std::isfinite(value); });
   }
   Action<Real> operator[](std::size_t hand) const noexcept {
-    return {values_.subspan(hand * row_, row_), std::span(phi_).first(angles_), normalized_};
+    return {values_.subspan(hand * row_, row_), angles(), normalized_};
+  }
+
+  std::span<const Real> values() const noexcept { return values_; }
+  std::span<const Real> angles() const noexcept { return std::span(phi_).first(angles_); }
+  bool normalized() const noexcept { return normalized_; }
+
+  /// V; 0 when no V makes rows so long.
+  int driving_vectors() const noexcept {
+    return row_ % kSlotCount == 0 && row_ > kSlotCount ? static_cast<int>(row_ / kSlotCount) - 1 : 0;
   }
 
  private:

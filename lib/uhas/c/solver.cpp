@@ -80,6 +80,24 @@ int update(uhas_controller* handle, const Real* values, std::size_t actions_size
   return static_cast<int>(first);
 }
 
+template <class Real>
+int approach(uhas_controller* handle, const Real* solutions, std::size_t solutions_size, Real dt, Real* targets,
+             std::size_t targets_size) noexcept {
+  if (handle == nullptr || solutions == nullptr || targets == nullptr || solutions_size != targets_size)
+    return UHAS_WRONG_SIZE;
+  const SphereController<Real>& controller = handle->in<Real>();
+  const std::size_t joints = controller.joint_count();
+  const std::ptrdiff_t hands = c::rows_of(targets_size, joints);
+  if (hands < 0) return UHAS_WRONG_SIZE;
+  Status first = Status::ok;
+  for (std::ptrdiff_t n = 0; n < hands; ++n) {
+    const Status status =
+        controller.approach(std::span(solutions + n * joints, joints), dt, std::span(targets + n * joints, joints));
+    if (first == Status::ok) first = status;
+  }
+  return static_cast<int>(first);
+}
+
 }  // namespace
 
 int uhas_solver_create(const uhas_profile* profile, const uhas_solve_options* options, uhas_solver** solver,
@@ -126,4 +144,14 @@ int uhas_controller_update(uhas_controller* controller, const double* actions, s
 int uhas_controller_update_f(uhas_controller* controller, const float* actions, size_t actions_size,
                              const uhas_action_options* options, float dt, float* targets, size_t targets_size) {
   return update(controller, actions, actions_size, options, dt, targets, targets_size);
+}
+
+int uhas_controller_approach(uhas_controller* controller, const double* solutions, size_t solutions_size, double dt,
+                             double* targets, size_t targets_size) {
+  return approach(controller, solutions, solutions_size, dt, targets, targets_size);
+}
+
+int uhas_controller_approach_f(uhas_controller* controller, const float* solutions, size_t solutions_size, float dt,
+                               float* targets, size_t targets_size) {
+  return approach(controller, solutions, solutions_size, dt, targets, targets_size);
 }

@@ -120,11 +120,37 @@ int uhas_solver_create(const uhas_profile* profile, const uhas_solve_options* op
                        size_t message_size);
 void uhas_solver_free(uhas_solver* solver);
 
-/* q: [N][joint count]. Of several actions, one that is refused refuses all. report: may be NULL. */
+/* q: [N][joint count]. Of several actions, one that is refused refuses all. report: may be NULL. Action by action; a
+ * uhas_batch is many times faster for many. */
 int uhas_solver_solve(uhas_solver* solver, const double* actions, size_t actions_size, const uhas_action_options* options,
                       double* q, size_t q_size, const uhas_solve_report* report);
 int uhas_solver_solve_f(uhas_solver* solver, const float* actions, size_t actions_size, const uhas_action_options* options,
                         float* q, size_t q_size, const uhas_solve_report* report);
+
+/* ---- Solving at scale: SIMD over hands, threads, mixed sets of hands; see uhas/runtime/batch_solver.hpp. */
+
+typedef struct uhas_batch_options {
+  size_t struct_size;
+  int threads; /* 1 to 256, the calling one included; with more than one, a call waits for the others */
+} uhas_batch_options;
+#define UHAS_BATCH_OPTIONS_INIT {sizeof(uhas_batch_options), 1}
+
+typedef struct uhas_batch uhas_batch;
+
+/* profiles: [profile_count] the hands that rows may be for. */
+int uhas_batch_create(const uhas_profile* const* profiles, size_t profile_count, const uhas_solve_options* options,
+                      const uhas_batch_options* batch_options, uhas_batch** batch, char* message, size_t message_size);
+void uhas_batch_free(uhas_batch* batch);
+
+size_t uhas_batch_row_size(const uhas_batch* batch); /* the joint count of the hand that has most */
+
+/* q: [N][uhas_batch_row_size]: the angles of the row's own hand, what is left of the row untouched. hands: [N] indices into
+ * the profiles, or NULL: all rows are for the first. statuses: [N] out, or NULL: what became of each row. A row that is
+ * refused leaves its part of q untouched and hinders no other; the result is that of the first one refused. */
+int uhas_batch_solve(uhas_batch* batch, const double* actions, size_t actions_size, const uhas_action_options* options,
+                     const int* hands, double* q, size_t q_size, int* statuses);
+int uhas_batch_solve_f(uhas_batch* batch, const float* actions, size_t actions_size, const uhas_action_options* options,
+                       const int* hands, float* q, size_t q_size, int* statuses);
 
 /* ---- The sphere controller: actions to joint targets, period by period; see uhas/runtime/sphere_controller.hpp. */
 
@@ -153,6 +179,12 @@ int uhas_controller_update(uhas_controller* controller, const double* actions, s
                            const uhas_action_options* options, double dt, double* targets, size_t targets_size);
 int uhas_controller_update_f(uhas_controller* controller, const float* actions, size_t actions_size,
                              const uhas_action_options* options, float dt, float* targets, size_t targets_size);
+
+/* The same toward solutions [N][joint count] that are there already, those of a uhas_batch. */
+int uhas_controller_approach(uhas_controller* controller, const double* solutions, size_t solutions_size, double dt,
+                             double* targets, size_t targets_size);
+int uhas_controller_approach_f(uhas_controller* controller, const float* solutions, size_t solutions_size, float dt,
+                               float* targets, size_t targets_size);
 
 /* ---- Observing: joint angles and velocities to the homogeneous observation; see uhas/runtime/observation.hpp. */
 

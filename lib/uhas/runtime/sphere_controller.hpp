@@ -63,6 +63,10 @@ class SphereController {
   ///                 any status but ok. Within the joints' limits; the elements of followers are not read
   Status update(const Action<Real>& action, Real dt, std::span<Real> targets) noexcept;
 
+  /// The same toward a solution that is there already: a row of a BatchSolver's, when there are many hands.
+  /// @param solution  [joint_count()] rad (m for sliding joints)
+  Status approach(std::span<const Real> solution, Real dt, std::span<Real> targets) const noexcept;
+
  private:
   /// How a joint may move.
   struct Motion {
@@ -74,6 +78,7 @@ class SphereController {
   };
   using Motions = std::vector<Motion>;
 
+  void step(std::span<const Real> solution, Real dt, std::span<Real> targets) const noexcept;
   void follow(std::span<Real> targets) const noexcept;
 
   CascadeSolver<Real> solver_;

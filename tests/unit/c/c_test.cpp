@@ -5,11 +5,13 @@
 #include <cstring>
 #include <limits>
 
+#include "support/arch_profile.hpp"
 #include "support/random_action.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/small_profile.hpp"
 #include "uhas/c/uhas.h"
 #include "uhas/profile_io/write_profile.hpp"
+#include "uhas/runtime/batch_solver.hpp"
 #include "uhas/runtime/joint_groups.hpp"
 #include "uhas/runtime/observation.hpp"
 #include "uhas/runtime/retarget.hpp"
@@ -246,6 +248,75 @@ TEST_CASE("the controller moves rows of hands as C++ moves one, and holds the on
   expected_f.reset(start_f, one_f);
   expected_f.update({.values = action_f, .driving_vectors_phi = {}}, 0.01f, one_f);
   CHECK(targets_f == one_f);
+}
+
+TEST_CASE("a controller approaches solutions as C++ does") {
+  OwnedController controller;
+  REQUIRE(uhas_controller_create(small_handle(), nullptr, &controller.get, nullptr, 0) == UHAS_OK);
+  SphereController<double> in_cpp(test::small_profile());
+  const std::vector<double> solutions = solve_in_cpp<double>(random_actions(2, 8));
+  std::vector<double> targets(2 * kJoints), expected = targets;
+  REQUIRE(uhas_controller_approach(controller.get, solutions.data(), 10, 0.01, targets.data(), 10) == UHAS_OK);
+  for (std::size_t n = 0; n < 2; ++n)
+    in_cpp.approach(std::span(solutions).subspan(kJoints * n, kJoints), 0.01,
+                    std::span(expected).subspan(kJoints * n, kJoints));
+  CHECK(targets == expected);
+  CHECK(uhas_controller_approach(controller.get, solutions.data(), 5, 0.01, targets.data(), 10) == UHAS_WRONG_SIZE);
+  CHECK(uhas_controller_approach(controller.get, solutions.data(), 10, -1, targets.data(), 10) == UHAS_INVALID_PERIOD);
+  CHECK(targets == expected);
+}
+
+TEST_CASE("batches are those of C++, mixed sets of hands and bad rows too") {
+  const std::vector<HandProfile> hands{test::small_profile(), test::arch_profile()};
+  test::ScratchFolder folder;
+  write_profile(hands[1], folder.file("arch.h5"));
+  uhas_profile* arch = nullptr;
+  REQUIRE(uhas_profile_load(folder.file("arch.h5").c_str(), &arch, nullptr, 0) == UHAS_OK);
+  const uhas_profile* profiles[] = {small_handle(), arch};
+  uhas_batch_options options = UHAS_BATCH_OPTIONS_INIT;
+  options.threads = 2;
+  Owned<uhas_batch, uhas_batch_free> batch;
+  REQUIRE(uhas_batch_create(profiles, 2, nullptr, &options, &batch.get, nullptr, 0) == UHAS_OK);
+  uhas_profile_free(arch);
+  BatchSolver<double> in_cpp(hands, {}, {.threads = 2});
+  REQUIRE(uhas_batch_row_size(batch.get) == kJoints);
+
+  constexpr std::size_t count = 40;
+  std::vector<double> actions = random_actions(count, 9), q(count * kJoints, 7.0), expected = q;
+  std::vector<int> hand_of_row(count), statuses(count);
+  for (std::size_t n = 0; n < count; ++n) hand_of_row[n] = static_cast<int>(n % 2);
+  actions[15 * 3] = kNan;
+  hand_of_row[5] = 2;
+  CHECK(uhas_batch_solve(batch.get, actions.data(), actions.size(), nullptr, hand_of_row.data(), q.data(), q.size(),
+                         statuses.data()) == UHAS_NON_FINITE_INPUT);
+  CHECK(in_cpp.solve({.count = count, .values = actions, .hands = hand_of_row}, expected) == Status::non_finite_input);
+  CHECK(q == expected);
+  for (std::size_t n = 0; n < count; ++n)
+    CHECK(statuses[n] == (n == 3 ? UHAS_NON_FINITE_INPUT : n == 5 ? UHAS_UNKNOWN_HAND : UHAS_OK));
+
+  CHECK(uhas_batch_solve(batch.get, actions.data(), 15, nullptr, nullptr, q.data(), q.size(), nullptr) ==
+        UHAS_WRONG_SIZE);
+  CHECK(uhas_batch_solve(batch.get, actions.data(), 7 * count, nullptr, nullptr, q.data(), q.size(), nullptr) ==
+        UHAS_WRONG_SIZE);
+  CHECK(uhas_batch_solve(batch.get, nullptr, 15 * count, nullptr, nullptr, q.data(), q.size(), nullptr) ==
+        UHAS_WRONG_SIZE);
+  CHECK(q == expected);
+
+  const std::vector<double> good = random_actions(count, 10);
+  const std::vector<float> good_f(good.begin(), good.end());
+  std::vector<float> q_f(count * kJoints);
+  REQUIRE(uhas_batch_solve_f(batch.get, good_f.data(), good_f.size(), nullptr, nullptr, q_f.data(), q_f.size(),
+                             nullptr) == UHAS_OK);
+  const std::vector<double> alone = solve_in_cpp<double>(good);
+  for (std::size_t i = 0; i < alone.size(); ++i) CHECK(std::abs(double(q_f[i]) - alone[i]) < 1e-4);
+
+  uhas_batch* none = nullptr;
+  char message[256] = "";
+  CHECK(uhas_batch_create(profiles, 0, nullptr, nullptr, &none, message, sizeof message) == UHAS_ERROR_INVALID_ACTION);
+  CHECK(uhas_batch_create(nullptr, 1, nullptr, nullptr, &none, message, sizeof message) == UHAS_ERROR_INVALID_OPTION);
+  options.threads = 0;
+  CHECK(uhas_batch_create(profiles, 1, nullptr, &options, &none, message, sizeof message) == UHAS_ERROR_INVALID_ACTION);
+  CHECK(none == nullptr);
 }
 
 TEST_CASE("observations are those of C++") {

@@ -65,7 +65,10 @@ def _obj_text(name, solid):
     vertices = np.round(vertices, 3) + 0.0  # micrometres; no negative zero
     if solid.mirrored:
         vertices, triangles = vertices * [1, -1, 1] + 0.0, triangles[:, ::-1]
-    check_closed(vertices, triangles)
+    try:
+        check_closed(vertices, triangles)
+    except ValueError as error:
+        raise ValueError(f"{name}: {error}") from None
     lines = [f"# {name}: metres, written by make_hands.py", f"o {name}"]
     lines += ["v %.6f %.6f %.6f" % tuple(v / 1000) for v in vertices]
     lines += ["f %d %d %d" % tuple(t + 1) for t in triangles]

@@ -13,8 +13,10 @@ import sys
 
 import allegro
 import leap
+import shadow
 
-HANDS = {"allegro_right": lambda: allegro.hand("right"), "allegro_left": lambda: allegro.hand("left"), "leap_right": leap.hand}
+HANDS = {"allegro_right": lambda: allegro.hand("right"), "allegro_left": lambda: allegro.hand("left"), "leap_right": leap.hand,
+         "shadow_right": shadow.hand}
 FOLDER = pathlib.Path(__file__).resolve().parent.parent
 
 

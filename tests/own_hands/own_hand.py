@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Builds the profile of a hand in hands/ with nothing but its URDF, and checks what is said of it against truth.json beside
-this file, which a person wrote; checks that its meshes are closed."""
+this file, which a person wrote; checks that its meshes are closed. A joint may be of either class when it is `ambiguous`."""
 
 import argparse
 import collections

@@ -87,6 +87,7 @@ def solids(mirrored):
 
 # ---- the hand
 
+
 def digit(name, root, joints, offsets, solids):
     """Four joints in a row and a fixed tip frame."""
     links, parent = [], "palm"

@@ -1,6 +1,9 @@
-"""A human right hand with the joints of the MANO hand model: three along each finger. Its ball joints are split into hinges that
-turn as far as those of a hand do: two at each knuckle and at the base of the thumb, one elsewhere. Root frame at the wrist: x
-out of the palm, y towards the thumb, z along the middle finger. A finger's frames have x out of its pad and z along it."""
+"""A human right hand with the joints of the MANO hand model: three along each finger. Its ball joints are split into
+hinges that turn as far as those of a hand do: two at each knuckle and at the base of the thumb, one elsewhere.
+
+Root frame at the wrist: x out of the palm, y towards the thumb, z along the middle finger. A finger's frames have x out
+of its pad and z along it.
+"""
 
 from math import radians
 
@@ -79,15 +82,15 @@ def palm():
 
 def phalanges(name, parts, lengths, radii):
     """Solids of a digit's phalanges; `radii` at each joint and the tip."""
-    solids = {}
+    result = {}
     for part, length, near, far in zip(parts, lengths, radii, radii[1:]):
         reach = near + 5
         if part == "distal":
             solid = Solid(fingertip(length, near, far), [-reach] * 3, [reach, reach, length + 5], 1.9)
         else:
             solid = Solid(segment(length, near, far), [-reach] * 3, [reach, reach, length + far + 5], 2.6)
-        solids[f"{name}_{part}"] = solid
-    return solids
+        result[f"{name}_{part}"] = solid
+    return result
 
 
 def solids():
@@ -98,6 +101,8 @@ def solids():
         result |= phalanges(name, ("proximal", "middle", "distal"), map(millimetres, PHALANGES[name]), RADII[name])
     return result | phalanges("thumb", ("proximal", "distal"), lengths, THUMB_RADII[1:])
 
+
+SOLIDS = solids()
 
 # ---- the hand
 
@@ -112,38 +117,43 @@ def along(share):
     return (0, 0, share * HAND_LENGTH)
 
 
+def links(name, parts, joints):
+    """A link for each joint, with its solid when it has one: knuckles lie inside the skin, tips are frames."""
+    names = [f"{name}_{part}" for part in parts]
+    return [Link(link, joint, link, "skin") if link in SOLIDS else Link(link, joint) for link, joint in zip(names, joints)]
+
+
 def finger(name):
     z, y = KNUCKLES[name]
     proximal, middle, distal = map(along, PHALANGES[name])
-    root = (0, y * HAND_BREADTH, z * HAND_LENGTH)
-    bend = (0, 1, 0)
-    return [
-        Link(f"{name}_knuckle", hinge(f"{name}_mcp_abduction", "palm", root, (-1, 0, 0), KNUCKLE_SIDEWAYS, (-FAN[name], 0, 0))),
-        Link(f"{name}_proximal", hinge(f"{name}_mcp_flexion", f"{name}_knuckle", (0, 0, 0), bend, KNUCKLE_FLEXION),
-             f"{name}_proximal", "skin"),
-        Link(f"{name}_middle", hinge(f"{name}_pip", f"{name}_proximal", proximal, bend, MIDDLE_FLEXION), f"{name}_middle", "skin"),
-        Link(f"{name}_distal", hinge(f"{name}_dip", f"{name}_middle", middle, bend, LAST_FLEXION), f"{name}_distal", "skin"),
-        Link(f"{name}_tip", Joint(f"{name}_tip_joint", f"{name}_distal", distal)),
+    root, side, bend = (0, y * HAND_BREADTH, z * HAND_LENGTH), (-1, 0, 0), (0, 1, 0)
+    joints = [
+        hinge(f"{name}_mcp_abduction", "palm", root, side, KNUCKLE_SIDEWAYS, (-FAN[name], 0, 0)),
+        hinge(f"{name}_mcp_flexion", f"{name}_knuckle", (0, 0, 0), bend, KNUCKLE_FLEXION),
+        hinge(f"{name}_pip", f"{name}_proximal", proximal, bend, MIDDLE_FLEXION),
+        hinge(f"{name}_dip", f"{name}_middle", middle, bend, LAST_FLEXION),
+        Joint(f"{name}_tip_joint", f"{name}_distal", distal),
     ]
+    return links(name, ("knuckle", "proximal", "middle", "distal", "tip"), joints)
 
 
 def thumb():
     z, y = THUMB_BASE
     metacarpal, proximal, distal = map(along, THUMB_SEGMENTS)
-    root = (THUMB_HEIGHT, y * HAND_BREADTH, z * HAND_LENGTH)
-    return [
-        Link("thumb_base", hinge("thumb_cmc_abduction", "palm", root, (0, 0, -1), THUMB_SWING)),
-        Link("thumb_metacarpal", hinge("thumb_cmc_flexion", "thumb_base", (0, 0, 0), (1, 0, 0), THUMB_SIDEWAYS, (-THUMB_RADIAL, 0, 0)),
-             "thumb_metacarpal", "skin"),
-        Link("thumb_proximal", hinge("thumb_mcp", "thumb_metacarpal", metacarpal, (0, 1, 0), THUMB_KNUCKLE, (0, 0, -THUMB_TWIST)),
-             "thumb_proximal", "skin"),
-        Link("thumb_distal", hinge("thumb_ip", "thumb_proximal", proximal, (0, 1, 0), THUMB_LAST), "thumb_distal", "skin"),
-        Link("thumb_tip", Joint("thumb_tip_joint", "thumb_distal", distal)),
+    root, swing, side, bend = (THUMB_HEIGHT, y * HAND_BREADTH, z * HAND_LENGTH), (0, 0, -1), (1, 0, 0), (0, 1, 0)
+    joints = [
+        hinge("thumb_cmc_abduction", "palm", root, swing, THUMB_SWING),
+        hinge("thumb_cmc_flexion", "thumb_base", (0, 0, 0), side, THUMB_SIDEWAYS, (-THUMB_RADIAL, 0, 0)),
+        hinge("thumb_mcp", "thumb_metacarpal", metacarpal, bend, THUMB_KNUCKLE, (0, 0, -THUMB_TWIST)),
+        hinge("thumb_ip", "thumb_proximal", proximal, bend, THUMB_LAST),
+        Joint("thumb_tip_joint", "thumb_distal", distal),
     ]
+    return links("thumb", ("base", "metacarpal", "proximal", "distal", "tip"), joints)
 
 
 def hand():
-    chains = {"palm": [Link("palm", None, "palm", "skin")]} | {name: finger(name) for name in FINGERS} | {"thumb": thumb()}
-    about = ("A human right hand. Root frame at the wrist: x out of the palm, y towards the thumb, z along the middle finger; metres and\n"
-             "     radians.")
-    return Hand("human_right", about, chains, solids())
+    chains = {"palm": [Link("palm", None, "palm", "skin")]}
+    chains |= {name: finger(name) for name in FINGERS} | {"thumb": thumb()}
+    about = ("A human right hand. Root frame at the wrist: x out of the palm, y towards the thumb, z along the middle finger;\n"
+             "     metres and radians.")
+    return Hand("human_right", about, chains, SOLIDS)

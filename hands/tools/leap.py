@@ -1,5 +1,8 @@
-"""The LEAP hand, right. Every link frame is parallel to the root's when all joints are at 0, except that of the thumb's tip:
-x out of the palm, y towards the index finger, z along the fingers."""
+"""The LEAP hand, right.
+
+Every link frame is parallel to the root's when all joints are at 0, except that of the thumb's tip: x out of the palm,
+y towards the index finger, z along the fingers.
+"""
 
 from math import pi
 
@@ -77,7 +80,8 @@ def thumb_first():
 def thumb_second():
     """A plate on the horn about y, two arms to the horns about x."""
     plate = round_box([-18, 0, -9], [18, 4, 9], 1.5)
-    arms = [union(round_box([x, 0, -9], [x + 3.5, 17, 9], 1.5), cylinder(0, [x + 1.75, 17, 0], 9, 1.75, 1.5), 1) for x in (-18, 14.5)]
+    arms = [union(round_box([x, 0, -9], [x + 3.5, 17, 9], 1.5), cylinder(0, [x + 1.75, 17, 0], 9, 1.75, 1.5), 1)
+            for x in (-18, 14.5)]
     return union(union(plate, arms[0], 1.5), arms[1], 1.5)
 
 
@@ -141,5 +145,6 @@ def hand():
     chains["thumb"] = digit("thumb", THUMB_ROOT, THUMB_JOINTS, THUMB_OFFSETS, THUMB_TIP,
                             ["thumb_first", "thumb_second", "thumb_third", "thumb_last"],
                             ["motor", "print", "phalanx", "motor"])
-    about = "A LEAP right hand. Root frame: x out of the palm, y towards the index finger, z along the fingers; metres and radians."
+    about = ("A LEAP right hand. Root frame: x out of the palm, y towards the index finger, z along the fingers;\n"
+             "     metres and radians.")
     return Hand("leap_right", about, chains, SOLIDS, effort=0.95, velocity=8.48)

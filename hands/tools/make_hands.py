@@ -16,8 +16,8 @@ import human
 import leap
 import shadow
 
-HANDS = {"allegro_right": lambda: allegro.hand("right"), "allegro_left": lambda: allegro.hand("left"), "leap_right": leap.hand,
-         "shadow_right": shadow.hand, "human_right": human.hand}
+HANDS = {"allegro_right": lambda: allegro.hand("right"), "allegro_left": lambda: allegro.hand("left"),
+         "leap_right": leap.hand, "shadow_right": shadow.hand, "human_right": human.hand}
 FOLDER = pathlib.Path(__file__).resolve().parent.parent
 
 

@@ -1,6 +1,8 @@
-"""The Shadow Dexterous Hand, right, with its forearm; joints and links have the maker's names. Every link frame is parallel to
-the root's when all joints are at 0, except those of the thumb: x out of the palm, y towards the index finger, z along the
-fingers. In the thumb's frames z runs along the thumb, and the pad looks to -y."""
+"""The Shadow Dexterous Hand, right, with its forearm; joints and links have the maker's names.
+
+Every link frame is parallel to the root's when all joints are at 0, except those of the thumb: x out of the palm, y
+towards the index finger, z along the fingers. In the thumb's frames z runs along the thumb, and the pad looks to -y.
+"""
 
 from math import cos, pi, radians, sin, sqrt
 
@@ -16,7 +18,7 @@ WRIST = [("WRJ2", "forearm", "wrist", (0.01, 0, 0.21301), (-1, 0, 0), -30, 10),
 KNUCKLES = {"FF": (0, 0.033, 0.095), "MF": (0, 0.011, 0.099), "RF": (0, -0.011, 0.095), "LF": (0, 0, 0.06589)}
 SIDEWAYS = {"FF": (1, 0, 0), "MF": (1, 0, 0), "RF": (-1, 0, 0), "LF": (-1, 0, 0)}
 FINGER_LENGTHS = [0.045, 0.025, 0.026]
-ARCH_ORIGIN, ARCH_TILT = (0, -0.033, 0.02071), 0.9599  # the joint of the little finger's metacarpal leans off the y axis
+ARCH_ORIGIN, ARCH_TILT = (0, -0.033, 0.02071), 0.9599  # of the little finger's metacarpal; its axis leans off y
 
 THUMB_ROOT = ((0.00858, 0.034, 0.029), (-pi / 4, 0, 0))
 THUMB_LENGTHS = [0.038, 0.032, 0.0275]
@@ -77,7 +79,7 @@ def thumb_middle():
 
 def palm():
     """Columns under three fingers, a heel, a cushion before the thumb, a barrel at the wrist."""
-    slope = half_space([0, 43, 56], [0, sqrt(0.5), -sqrt(0.5)])  # room for the thumb, which leaves the palm at 45 degrees
+    slope = half_space([0, 43, 56], [0, sqrt(0.5), -sqrt(0.5)])  # room for the thumb, which leaves at 45 degrees
     columns = union(round_box([-13, -21.5, 10], [11, 24, 85], 7), round_box([-13, 0.5, 60], [11, 21.5, 89], 7), 5)
     columns = union(columns, intersection(round_box([-13, 0, 24], [11, 43, 85], 7), slope, 7), 6)
     heel = round_box([-13, -43, 6], [11, 25, 24], 7)
@@ -132,11 +134,18 @@ def finger(name):
     """Two joints at the knuckle, two along the finger, a fixed tip frame."""
     link, parent = name.lower(), "palm" if name != "LF" else "lfmetacarpal"
     proximal, middle, distal = ((0, 0, length) for length in FINGER_LENGTHS)
+    bend = (0, 1, 0)
+    joints = [
+        revolute(f"{name}J4", parent, KNUCKLES[name], SIDEWAYS[name], -20, 20),
+        revolute(f"{name}J3", f"{link}knuckle", (0, 0, 0), bend, -15, 90),
+        revolute(f"{name}J2", f"{link}proximal", proximal, bend, 0, 90),
+        revolute(f"{name}J1", f"{link}middle", middle, bend, 0, 90),
+    ]
     return [
-        Link(f"{link}knuckle", revolute(f"{name}J4", parent, KNUCKLES[name], SIDEWAYS[name], -20, 20), "knuckle", "joint"),
-        Link(f"{link}proximal", revolute(f"{name}J3", f"{link}knuckle", (0, 0, 0), (0, 1, 0), -15, 90), "finger_proximal", "phalanx"),
-        Link(f"{link}middle", revolute(f"{name}J2", f"{link}proximal", proximal, (0, 1, 0), 0, 90), "finger_middle", "phalanx"),
-        Link(f"{link}distal", revolute(f"{name}J1", f"{link}middle", middle, (0, 1, 0), 0, 90), "finger_distal", "rubber"),
+        Link(f"{link}knuckle", joints[0], "knuckle", "joint"),
+        Link(f"{link}proximal", joints[1], "finger_proximal", "phalanx"),
+        Link(f"{link}middle", joints[2], "finger_middle", "phalanx"),
+        Link(f"{link}distal", joints[3], "finger_distal", "rubber"),
         Link(f"{link}tip", Joint(f"{name}tip", f"{link}distal", distal)),
     ]
 
@@ -163,6 +172,6 @@ def hand():
     chains |= {"index": finger("FF"), "middle": finger("MF"), "ring": finger("RF")}
     chains["little finger"] = [Link("lfmetacarpal", arch, "metacarpal", "shell")] + finger("LF")
     chains["thumb"] = thumb()
-    about = ("A Shadow Dexterous right hand with its forearm. Root frame: x out of the palm, y towards the index finger, z along the\n"
-             "     fingers; metres and radians.")
+    about = ("A Shadow Dexterous right hand with its forearm. Root frame: x out of the palm, y towards the index finger,\n"
+             "     z along the fingers; metres and radians.")
     return Hand("shadow_right", about, chains, SOLIDS, effort=2, velocity=2)

@@ -1,6 +1,6 @@
-// The hands in hands/ are those whose names they bear: joint for joint, they agree with the models their makers publish in
-// geometry, classes, poses and tables. Both are read from their URDFs alone. Names differ, so fingers are matched by their
-// slots, joints by their place in the finger.
+// The hands in hands/ are those whose names they bear: joint for joint, they agree with the models their makers publish
+// in geometry, classes, poses and tables. Both are read from their URDFs alone. Names differ, so fingers are matched by
+// their slots, joints by their place in the finger.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -19,19 +19,22 @@ using namespace uhas::test;
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-// The shipped numbers are the published ones. What is left: right angles that were published with five digits (0.004 deg), and
-// the radius of the left Allegro hand, whose thumb differs (0.14 %).
+// The shipped numbers are the published ones. What is left: right angles that were published with five digits (0.004
+// deg), and the radius of the left Allegro hand, whose thumb differs (0.14 %).
 constexpr double kAngleTolerance = 0.2 * kDegree;
 constexpr double kTipTolerance = 3e-3;  // sphere radii
 constexpr double kLimitTolerance = 1e-6;
 
-/// The thumb of the left Allegro hand: one offset of the published model is 10 mm off the mirror image of the right hand,
-/// which is what we ship (hands/README.md).
+/// The thumb of the left Allegro hand: one offset of the published model is 10 mm off the mirror image of the right
+/// hand, which is what we ship (hands/README.md).
 constexpr double kOffsetOfLeftThumb = 0.010;  // m
-bool is_left_allegro_thumb(const ProfileFinger& finger) { return real_hand().name == "allegro_left" && finger.slots[4]; }
+bool is_left_allegro_thumb(const ProfileFinger& finger) {
+  return real_hand().name == "allegro_left" && finger.slots[4];
+}
 
 const HandProfile& shipped_profile() {
-  static const HandProfile profile = build_profile(UHAS_OWN_HANDS "/" + real_hand().name + "/" + real_hand().name + ".urdf", {});
+  static const HandProfile profile =
+      build_profile(UHAS_OWN_HANDS "/" + real_hand().name + "/" + real_hand().name + ".urdf", {});
   return profile;
 }
 
@@ -45,7 +48,8 @@ std::vector<Pair> finger_pairs() {
   std::vector<Pair> pairs;
   for (const ProfileFinger& finger : real_profile().fingers) {
     const auto& fingers = shipped_profile().fingers;
-    const auto same = std::find_if(fingers.begin(), fingers.end(), [&](const ProfileFinger& f) { return f.slots == finger.slots; });
+    const auto same =
+        std::find_if(fingers.begin(), fingers.end(), [&](const ProfileFinger& f) { return f.slots == finger.slots; });
     CAPTURE(finger.name);
     REQUIRE(same != fingers.end());
     REQUIRE(same->joints.size() == finger.joints.size());
@@ -125,7 +129,8 @@ TEST_CASE("the same geometry: fingertips in random poses") {
     for (const auto& [a, b] : finger_pairs()) {
       for (std::size_t i = 0; i < a->joints.size(); ++i) {
         const Joint& joint = real.tree.joints[a->joints[i]];
-        q_real[a->joints[i]] = q_shipped[b->joints[i]] = std::uniform_real_distribution<double>(joint.lower, joint.upper)(random);
+        q_real[a->joints[i]] = q_shipped[b->joints[i]] =
+            std::uniform_real_distribution<double>(joint.lower, joint.upper)(random);
       }
     }
     for (const auto& [a, b] : finger_pairs()) {

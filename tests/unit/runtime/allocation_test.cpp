@@ -15,6 +15,7 @@
 #include "uhas/c/uhas.h"
 #include "uhas/profile_io/write_profile.hpp"
 #include "uhas/runtime/batch_solver.hpp"
+#include "uhas/runtime/fingertip_kinematics.hpp"
 #include "uhas/runtime/observation.hpp"
 #include "uhas/runtime/retarget.hpp"
 #include "uhas/runtime/sphere_controller.hpp"
@@ -131,6 +132,26 @@ TEST_CASE("10,000 observations allocate nothing") {
     refused += observer.observe(one_q, qd, one) != Status::ok;
     refused += observer.observe_batch(q, qd, observations) != Status::ok;
     refused += observer.observe_batch(not_finite, qd, observations) != Status::ok;
+  }
+  counting = false;
+  CHECK(allocations == 0);
+  CHECK(refused == 5000);
+}
+
+TEST_CASE("10,000 forward kinematics allocate nothing") {
+  const FingertipKinematics<float> kinematics(test::small_profile());
+  std::vector<float> q(20 * kinematics.joint_count(), 0.1f), fingertips(20 * 3 * kinematics.finger_count());
+  std::vector<float> not_finite = q;
+  not_finite.front() = std::numeric_limits<float>::quiet_NaN();
+  const std::span one_q(q.data(), kinematics.joint_count()), one(fingertips.data(), 3 * kinematics.finger_count());
+  int refused = 0;
+  allocations = 0;
+  counting = true;
+  for (int n = 0; n < 2500; ++n) {
+    refused += kinematics.fingertips(one_q, one) != Status::ok;
+    refused += kinematics.fingertips(q, one) != Status::ok;
+    refused += kinematics.fingertips_batch(q, fingertips) != Status::ok;
+    refused += kinematics.fingertips_batch(not_finite, fingertips) != Status::ok;
   }
   counting = false;
   CHECK(allocations == 0);

@@ -4,13 +4,10 @@
 #include <cmath>
 
 namespace uhas::benchmark {
-namespace {
 
 double nanoseconds_since(Clock::time_point start) {
   return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
 }
-
-}  // namespace
 
 Summary summarise(std::span<double> samples) {
   std::ranges::sort(samples);

@@ -13,6 +13,8 @@ namespace uhas::benchmark {
 
 using Clock = std::chrono::steady_clock;
 
+double nanoseconds_since(Clock::time_point start);
+
 struct Summary {
   double median = 0, p99 = 0, worst = 0;  ///< ns
 };

@@ -1,7 +1,8 @@
 #include "requirements.hpp"
 
-#include <algorithm>
 #include <functional>
+#include <optional>
+#include <string>
 
 namespace uhas::benchmark {
 namespace {
@@ -53,11 +54,6 @@ std::vector<const HandMeasurement*> hands_for(const Requirement& requirement,
 }
 
 }  // namespace
-
-Verdict Judgement::verdict() const {
-  const auto meets = [&](double bound) { return at_most ? value <= bound : value >= bound; };
-  return meets(aim) ? Verdict::aim : meets(must) ? Verdict::must : Verdict::missed;
-}
 
 std::vector<Judgement> hold_against_requirements(const std::vector<HandMeasurement>& hands, const PointGrowth& growth) {
   std::vector<Judgement> judgements;

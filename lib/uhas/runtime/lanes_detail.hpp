@@ -169,6 +169,15 @@ Lanes<Real, N, Tag> sqrt(Lanes<Real, N, Tag> a) {
   return root;
 }
 
+/// The sum of lanes [First, First + Count), by halves.
+template <int First, int Count, class Real, int N, class Tag>
+Real sum_of_lanes(const Lanes<Real, N, Tag>& a) {
+  if constexpr (Count == 1)
+    return a.v[First];
+  else
+    return sum_of_lanes<First, Count / 2>(a) + sum_of_lanes<First + Count / 2, Count / 2>(a);
+}
+
 /// The sum of all lanes.
 template <class Real>
 Real sum(const Real& a) {
@@ -176,9 +185,7 @@ Real sum(const Real& a) {
 }
 template <class Real, int N, class Tag>
 Real sum(const Lanes<Real, N, Tag>& a) {
-  Real total = 0;
-  for (int i = 0; i < N; ++i) total += a.v[i];
-  return total;
+  return sum_of_lanes<0, N>(a);
 }
 
 }  // namespace uhas

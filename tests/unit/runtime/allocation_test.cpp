@@ -3,12 +3,15 @@
 
 #include <dlfcn.h>
 
+#include <atomic>
 #include <cstddef>
 #include <cstdlib>
 #include <limits>
 
+#include "support/mirrored_profile.hpp"
 #include "support/random_action.hpp"
 #include "support/small_profile.hpp"
+#include "uhas/runtime/batch_solver.hpp"
 #include "uhas/runtime/cascade_solver.hpp"
 #include "uhas/runtime/fingertip_kinematics.hpp"
 #include "uhas/runtime/observation.hpp"
@@ -20,10 +23,17 @@
 
 namespace {
 
-thread_local bool counting = false;
-thread_local long allocations = 0;
+std::atomic<bool> counting = false;  // on every thread
+std::atomic<long> allocations = 0;
 
 }  // namespace
+
+extern "C" void* aligned_alloc(std::size_t alignment, std::size_t size) {  // which operator new calls for wide types
+  static void* (*const next)(std::size_t, std::size_t) =
+      reinterpret_cast<void* (*)(std::size_t, std::size_t)>(dlsym(RTLD_NEXT, "aligned_alloc"));
+  if (counting) ++allocations;
+  return next(alignment, size);
+}
 
 extern "C" void* malloc(std::size_t size) {
   static void* (*const next)(std::size_t) = reinterpret_cast<void* (*)(std::size_t)>(dlsym(RTLD_NEXT, "malloc"));
@@ -36,12 +46,17 @@ using namespace uhas;
 TEST_CASE("counting sees operator new and malloc") {
   allocations = 0;
   counting = true;
+  struct alignas(64) Wide {
+    char bytes[64];
+  };
   auto* volatile a = new int(1);
+  auto* volatile wide = new Wide;
   void* volatile b = std::malloc(1);
   counting = false;
   delete a;
+  delete wide;
   std::free(b);
-  CHECK(allocations == 2);
+  CHECK(allocations == 3);
 }
 
 TEST_CASE("10,000 solves allocate nothing") {
@@ -64,6 +79,38 @@ TEST_CASE("10,000 solves allocate nothing") {
       counting = false;
       CHECK(allocations == 0);
       CHECK(refused == 50);
+    }
+  }
+}
+
+TEST_CASE("10,000 batches allocate nothing on any thread") {
+  const std::vector<HandProfile> hands{test::small_profile(), test::mirror_image(test::small_profile())};
+  std::mt19937_64 random(7);
+  constexpr std::size_t kRows = 21;
+  std::vector<float> values, q(kRows * 5);
+  std::vector<int> hand_of_row;
+  for (std::size_t i = 0; i < kRows; ++i) {
+    for (double x : test::random_action(random, 1, 3)) values.push_back(static_cast<float>(x));
+    hand_of_row.push_back(static_cast<int>(i % 2));
+  }
+  std::vector<float> poisoned = values;
+  poisoned[100] = std::numeric_limits<float>::quiet_NaN();
+  std::vector<Status> statuses(kRows);
+  for (InstructionSet set : {InstructionSet::scalar, InstructionSet::baseline, InstructionSet::avx2}) {
+    if (!is_available(set)) continue;
+    for (int threads : {1, 2}) {
+      BatchSolver<float> solver(hands, {}, {.threads = threads, .instruction_set = set});
+      int refused = 0;
+      allocations = 0;
+      counting = true;
+      for (int n = 0; n < 10'000; ++n)
+        refused += solver.solve({.count = n % 5 == 4 ? kRows + 1 : kRows,
+                                 .values = n % 5 == 3 ? poisoned : values,
+                                 .hands = hand_of_row},
+                                q, statuses) != Status::ok;
+      counting = false;
+      CHECK(allocations == 0);
+      CHECK(refused == 4000);
     }
   }
 }

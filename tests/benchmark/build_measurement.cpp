@@ -65,20 +65,19 @@ struct Samples {
   std::vector<std::vector<double>> stages;
 
   void take(const std::filesystem::path& urdf) {
-    const auto start = Clock::now();
+    const double start = processor_nanoseconds();
     load_with_assimp(meshes);
-    assimp.push_back(nanoseconds_since(start));
-
-    const auto build_start = Clock::now();
-    auto stage_start = build_start;
+    const double build_start = processor_nanoseconds();
+    assimp.push_back(build_start - start);
+    double stage_start = build_start;
     std::size_t stage = 0;
     benchmark::build(urdf, [&](const char* name) {
-      if (stage > 0) stages[stage - 1].push_back(nanoseconds_since(stage_start));
+      if (stage > 0) stages[stage - 1].push_back(processor_nanoseconds() - stage_start);
       if (*name && stage == stage_names.size()) stage_names.push_back(name), stages.emplace_back();
       ++stage;
-      stage_start = Clock::now();
+      stage_start = processor_nanoseconds();
     });
-    build.push_back(nanoseconds_since(build_start));
+    build.push_back(processor_nanoseconds() - build_start);
   }
 };
 

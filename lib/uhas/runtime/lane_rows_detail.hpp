@@ -8,11 +8,11 @@
 
 namespace uhas {
 
-/// Turns rows into columns: lane j of rows[i] becomes lane i of rows[j].
+/// Turns rows into columns: lane j of rows[i] becomes lane i of rows[j]. Loops are unrolled so that the rows stay in
+/// registers.
 template <class Real, int N, class Tag>
 struct LaneTranspose {
-  using Num = Lanes<Real, N, Tag>;
-  using Vector = typename Num::Vector;
+  using Vector = typename Lanes<Real, N, Tag>::Vector;
 
   /// Lanes of `a` whose index has not the bit `step`, each followed, `step` further on, by the same lane of `b`; with
   /// `upper` the lanes that have it.
@@ -24,13 +24,14 @@ struct LaneTranspose {
 
   // blocks of step x step numbers change places across the diagonal, for step = N/2, N/4 .. 1
   template <int step = N / 2>
-  static void apply(Num* rows) {
+  static void apply(Vector (&rows)[N]) {
     if constexpr (step > 0) {
+#pragma GCC unroll 8
       for (int i = 0; i < N; ++i) {
         if (i & step) continue;
-        const Vector a = rows[i].v, b = rows[i + step].v;
-        rows[i].v = merge<step, false>(a, b, std::make_index_sequence<N>());
-        rows[i + step].v = merge<step, true>(a, b, std::make_index_sequence<N>());
+        const Vector a = rows[i], b = rows[i + step];
+        rows[i] = merge<step, false>(a, b, std::make_index_sequence<N>());
+        rows[i + step] = merge<step, true>(a, b, std::make_index_sequence<N>());
       }
       apply<step / 2>(rows);
     }
@@ -50,8 +51,12 @@ void load_rows(const Real* rows, std::size_t stride, std::size_t filled, std::si
   }
   for (std::size_t j = 0; j < numbers; j += N) {
     const std::size_t first = j + N <= numbers ? j : numbers - N;  // the last block overlaps the one before
-    for (int i = 0; i < N; ++i) columns[first + i] = load<Lanes<Real, N, Tag>>(row(i) + first);
-    LaneTranspose<Real, N, Tag>::apply(columns + first);
+    typename LaneTranspose<Real, N, Tag>::Vector block[N];
+#pragma GCC unroll 8
+    for (int i = 0; i < N; ++i) block[i] = load<Lanes<Real, N, Tag>>(row(i) + first).v;
+    LaneTranspose<Real, N, Tag>::apply(block);
+#pragma GCC unroll 8
+    for (int i = 0; i < N; ++i) columns[first + i].v = block[i];
   }
 }
 
@@ -66,10 +71,13 @@ void store_rows(const Lanes<Real, N, Tag>* columns, std::size_t filled, std::siz
   }
   for (std::size_t j = 0; j < numbers; j += N) {
     const std::size_t first = j + N <= numbers ? j : numbers - N;
-    Lanes<Real, N, Tag> block[N];
-    for (int i = 0; i < N; ++i) block[i] = columns[first + i];
+    typename LaneTranspose<Real, N, Tag>::Vector block[N];
+#pragma GCC unroll 8
+    for (int i = 0; i < N; ++i) block[i] = columns[first + i].v;
     LaneTranspose<Real, N, Tag>::apply(block);
-    for (std::size_t i = 0; i < filled; ++i) store(block[i], rows + i * stride + first);
+#pragma GCC unroll 8
+    for (int i = 0; i < N; ++i)
+      if (std::size_t(i) < filled) store(Lanes<Real, N, Tag>(block[i]), rows + i * stride + first);
   }
 }
 

@@ -37,7 +37,7 @@ struct Lanes {
   using Mask = LaneMask<Real, N, Tag>;
   using Vector = typename Mask::Numbers;
 
-  constexpr Lanes() : v{} {}
+  Lanes() = default;  // not set, like a plain number
   constexpr Lanes(Real all) : v(all - Vector{}) {}
   constexpr explicit Lanes(Vector vector) : v(vector) {}
 

@@ -1,21 +1,26 @@
 // From an action's numbers to the deformation of each finger's plane: denormalise, clamp, average shared slots (design 2).
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
 #include "uhas/base/errors.hpp"
 #include "uhas/runtime/action.hpp"
+#include "uhas/runtime/plane_deformation_detail.hpp"
 
 namespace uhas {
 
-/// Polar angle of driving vector `j` of `vectors` unless a call places it.
-template <class Real>
-Real default_driving_angle(int vectors, int j) {
-  return std::numbers::pi_v<Real> * Real(j + 1) / Real(vectors + 1);
-}
+/// The numbers of an action that has passed `ActionDecoder::check`, one action a lane.
+template <class Num>
+struct ActionNumbers {
+  const Num* values;       ///< [5 + 5 V]
+  const Num* phi;          ///< [angles]
+  int vectors;             ///< V
+  int angles = 0;          ///< 0: default driving angles; V or 5 V
+  bool common_phi = true;  ///< `phi` are the same in every lane
+  bool normalized = false;
+};
 
 template <class Real>
 class ActionDecoder {
@@ -29,24 +34,49 @@ class ActionDecoder {
       }
       owners_.push_back(owner);
     }
+    for (int vectors = 1; vectors <= kMaxDrivingVectors; ++vectors)
+      for (int j = 0; j < vectors; ++j)
+        default_phi_[vectors - 1][j] = std::numbers::pi_v<Real> * Real(j + 1) / Real(vectors + 1);
   }
 
-  /// Writes one deformation a finger into `planes`; untouched unless the status is ok.
-  Status decode(const Action<Real>& action, std::span<PlaneDeformation<Real>> planes) const noexcept {
-    const int vectors = (static_cast<int>(action.values.size()) - kSlotCount) / kSlotCount;
-    if (vectors < 1 || vectors > kMaxDrivingVectors || action.values.size() != std::size_t(kSlotCount * (1 + vectors)))
-      return Status::wrong_size;
+  /// Whether an action of `size` numbers can be decoded; the number of its driving vectors, 0 if not.
+  static int vectors_of(std::size_t size) noexcept {
+    for (int vectors = 1; vectors <= kMaxDrivingVectors; ++vectors)
+      if (size == std::size_t(kSlotCount * (1 + vectors))) return vectors;
+    return 0;
+  }
+
+  /// What solving `action` would be refused for.
+  static Status check(const Action<Real>& action) noexcept {
+    const int vectors = vectors_of(action.values.size());
+    if (vectors == 0) return Status::wrong_size;
     for (Real value : action.values)
       if (!std::isfinite(value)) return Status::non_finite_input;
-    const std::size_t angles = action.driving_vectors_phi.size();
-    if (angles != 0 && angles != std::size_t(vectors) && angles != std::size_t(kSlotCount * vectors)) return Status::wrong_size;
-    if (!angles_increase(action.driving_vectors_phi, vectors)) return Status::invalid_driving_vectors;
+    return check_angles(action.driving_vectors_phi, vectors);
+  }
 
+  /// The same for driving angles alone.
+  static Status check_angles(std::span<const Real> phi, int vectors) noexcept {
+    if (!phi.empty() && phi.size() != std::size_t(vectors) && phi.size() != std::size_t(kSlotCount * vectors))
+      return Status::wrong_size;
+    for (std::size_t i = 0; i < phi.size(); ++i) {
+      const Real before = i % vectors == 0 ? Real(0) : phi[i - 1];
+      if (!(phi[i] > before) || !(phi[i] < std::numbers::pi_v<Real>)) return Status::invalid_driving_vectors;
+    }
+    return Status::ok;
+  }
+
+  /// One deformation a finger. `planes`: [finger].
+  template <class Num>
+  void decode(const ActionNumbers<Num>& action, PlaneDeformation<Num>* planes) const noexcept {
+    const int vectors = action.vectors;
     for (std::size_t f = 0; f < owners_.size(); ++f) {
       const Owner& owner = owners_[f];
-      PlaneDeformation<Real> plane;
+      PlaneDeformation<Num>& plane = planes[f];
       plane.vectors = vectors;
-      plane.default_angles = angles == 0;
+      plane.delta_theta = Num(0);
+      for (int j = 0; j < vectors; ++j) plane.delta_r[j] = plane.phi[j] = Num(0);
+      plane.common_angles = action.angles == 0 || action.common_phi;
       int shared = 0;
       for (int slot = 0; slot < kSlotCount; ++slot) {
         if (!owner.slots[slot]) continue;
@@ -55,14 +85,17 @@ class ActionDecoder {
         for (int j = 0; j < vectors; ++j) {
           constexpr Real bound = Real(kRadialBound);
           plane.delta_r[j] += bounded(action.values[kSlotCount + vectors * slot + j], -bound, bound, action.normalized);
-          plane.phi[j] += driving_angle(action.driving_vectors_phi, vectors, slot, j);
+          if (action.angles != 0) plane.phi[j] += action.phi[(action.angles == vectors ? 0 : vectors * slot) + j];
         }
       }
-      plane.delta_theta /= Real(shared);
-      for (int j = 0; j < vectors; ++j) plane.delta_r[j] /= Real(shared), plane.phi[j] /= Real(shared);
-      planes[f] = plane;
+      const Num share(Real(1) / Real(shared));
+      plane.delta_theta *= share;
+      for (int j = 0; j < vectors; ++j) {
+        plane.delta_r[j] *= share;
+        plane.phi[j] = action.angles == 0 ? Num(default_phi_[vectors - 1][j]) : plane.phi[j] * share;
+      }
+      plane.find_slopes();
     }
-    return Status::ok;
   }
 
  private:
@@ -71,35 +104,14 @@ class ActionDecoder {
     Real lower, upper;  // bounds of delta theta
   };
 
-  static Real bounded(Real value, Real lower, Real upper, bool normalized) noexcept {
-    if (normalized) value *= value < Real(0) ? -lower : upper;
-    return std::clamp(value, lower, upper);
-  }
-
-  static Real driving_angle(std::span<const Real> angles, int vectors, int slot, int j) noexcept {
-    if (angles.empty()) return default_driving_angle<Real>(vectors, j);
-    return angles.size() == std::size_t(vectors) ? angles[j] : angles[vectors * slot + j];
-  }
-
-  static bool angles_increase(std::span<const Real> angles, int vectors) noexcept {
-    for (std::size_t i = 0; i < angles.size(); ++i) {
-      const Real before = i % vectors == 0 ? Real(0) : angles[i - 1];
-      if (!(angles[i] > before) || !(angles[i] < std::numbers::pi_v<Real>)) return false;
-    }
-    return true;
+  template <class Num>
+  static Num bounded(Num value, Real lower, Real upper, bool normalized) noexcept {
+    if (normalized) value *= select(value < Num(0), Num(-lower), Num(upper));
+    return clamp(value, Num(lower), Num(upper));
   }
 
   std::vector<Owner> owners_;
+  std::array<std::array<Real, kMaxDrivingVectors>, kMaxDrivingVectors> default_phi_{};  // [V - 1][j]
 };
-
-template <class Real>
-Real PlaneDeformation<Real>::radial(Real at) const {
-  Real before_phi = 0, before = 0;  // the palm pole is anchored
-  for (int j = 0; j < vectors; ++j) {
-    if (at < phi[j]) return before + (delta_r[j] - before) * (at - before_phi) / (phi[j] - before_phi);
-    before_phi = phi[j], before = delta_r[j];
-  }
-  return before;
-}
 
 }  // namespace uhas

@@ -1,75 +1,96 @@
 // The working half of the solver: the state of one solve and the steps of the cascade, in the order they run.
+// The source files that choose a number type include cascade_kernel_detail.hpp, which holds the definitions.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
-#include "uhas/runtime/moments_detail.hpp"
+#include "uhas/runtime/patch_moments_detail.hpp"
 #include "uhas/runtime/solver_model_detail.hpp"
 
 namespace uhas {
 
 /// Everything a solve writes, sized once; running it allocates nothing. Joint values are in solver units.
-template <class Real>
+/// @tparam Num   float or double for one hand, Lanes for as many hands as it has lanes. No lane depends on another.
+/// @tparam Wide  Lanes of the same real numbers, for the points of a patch
+/// The rule `contact` and the field reading `field` need a plain number.
+template <class Num, class Wide>
 class Cascade {
  public:
-  explicit Cascade(const SolverModel<Real>& model);
+  using Real = LaneReal<Num>;
+  using Mask = MaskOf<Num>;
+  using Model = SolverModel<Real>;
 
-  /// From the deformations in `planes` to joint values in `q` and flags in `at_limit` and `closed`.
-  void run(const SolverModel<Real>& model) noexcept;
+  explicit Cascade(const Model& model);
 
-  /// Weighted rms distance of the points from their targets at `q`, sphere radii; NaN when closing has dropped every point.
-  double residual_rms(const SolverModel<Real>& model) noexcept;
+  /// From the deformations in `planes` to joint values and flags.
+  void run(const Model& model) noexcept;
 
-  std::vector<PlaneDeformation<Real>> planes;  ///< [finger] in
-  std::vector<Real> q;                         ///< [joint] out
-  std::vector<std::uint8_t> at_limit, closed;  ///< [joint] out
+  /// Weighted rms distance of the points from their targets, sphere radii; NaN when closing has dropped every point. Plain
+  /// numbers only; to be called once after a run.
+  double residual_rms(const Model& model) noexcept;
+
+  const Num& q(int joint) const noexcept { return joints_[joint].q; }
+  const Mask& at_limit(int joint) const noexcept { return joints_[joint].at_limit; }
+  const Mask& closed(int joint) const noexcept { return joints_[joint].closed; }
+
+  std::vector<PlaneDeformation<Num>> planes;  ///< [finger] in
 
  private:
-  /// Where a material point must go, and how much of it closing has left.
-  struct Target {
-    Vector3<Real> t;
-    Real share;
+  struct JointState {
+    JointValue<Num> value;          // the cascade's own, before closing
+    RigidTransform<Num> T_S_moved;  // moved frame in S
+    PointMoments<Num> own;          // of the points on the joint's links
+    PointMoments<Num> carried;      // own and all further out, decayed, in the joint's moved frame
+    Num open_share{1};              // of a step: what closing has left of the weight it carries
+    Num q;                          // out
+    Mask at_limit, closed;          // out
   };
 
-  const PlaneDeformation<Real>& plane_of(const SolverModel<Real>& model, int finger) const noexcept;
-  void average_planes(const SolverModel<Real>& model) noexcept;
-  void begin_joints(const SolverModel<Real>& model) noexcept;
-  Target target_of(const SolverModel<Real>& model, const SolverPoint<Real>& point) const noexcept;
-  void sum_targets(const SolverModel<Real>& model) noexcept;
-  PointMoments<Real> moments_of(const SolverModel<Real>& model, const SolverPatch<Real>& patch) const noexcept;
+  /// A fitted value within limits, and where it was held at one.
+  struct Fit {
+    JointValue<Num> value;
+    Mask at_limit;
+  };
 
-  void set_joint(const SolverModel<Real>& model, int joint, const JointValue<Real>& value) noexcept;
-  void set_unknown(const SolverModel<Real>& model, const SolverStep& step, const JointValue<Real>& value) noexcept;
-  void carry_moments(const SolverModel<Real>& model, std::span<const ScopedJoint> scope) noexcept;
-  void move_frames(const SolverModel<Real>& model, std::span<const ScopedJoint> scope) noexcept;
-  RigidTransform<Real> frame_before_motion(const SolverModel<Real>& model, int joint) const noexcept;
+  /// Minus half the first and second derivative of the weighted squared distance.
+  struct Descent {
+    Num slope, bend;
+  };
 
-  void sweep(const SolverModel<Real>& model) noexcept;
-  void solve_step(const SolverModel<Real>& model, const SolverStep& step) noexcept;
-  void close_faded(const SolverModel<Real>& model) noexcept;
-  void mark(const SolverStep& step, std::vector<std::uint8_t>& flags, bool value) noexcept;
+  /// Where a material point must go, and how much of it closing has left.
+  struct Target {
+    Vector3<Num> t;
+    Num share;
+  };
 
-  JointValue<Real> fit_single(const SolverModel<Real>& model, int joint) const noexcept;
-  Real fit_group(const SolverModel<Real>& model, const SolverStep& step) noexcept;
-  Real descent(const SolverModel<Real>& model, const SolverStep& step, Real value) noexcept;
+  const PlaneDeformation<Num>& plane_of(const Model& model, int finger) const noexcept;
+  void average_planes(const Model& model) noexcept;
+  void begin_joints(const Model& model, const SolverPart& part) noexcept;
+  void sum_targets(const Model& model, const SolverPart& part) noexcept;
+  void sum_points(const Model& model) noexcept;
+  Target target_of(const Model& model, const SolverPoint<Real>& point) const noexcept;
 
-  Real contact_single(const SolverModel<Real>& model, const SolverStep& step) noexcept;
-  Real contact_group(const SolverModel<Real>& model, const SolverStep& step) noexcept;
-  Vector3<Real> node_in_frame(const SolverModel<Real>& model, const ContactNode& node, int joint) const noexcept;
+  void set_unknown(const Model& model, const SolverStep& step, const JointValue<Num>& value) noexcept;
+  void carry_moments(const Model& model, std::span<const ScopedJoint> scope, Num decay) noexcept;
+  void move_frames(const Model& model, std::span<const ScopedJoint> scope) noexcept;
+  RigidTransform<Num> frame_before_motion(const Model& model, int joint) const noexcept;
 
-  std::vector<PlaneDeformation<Real>> group_planes_;  // [group of planes] mean of its fingers
-  std::vector<JointValue<Real>> values_;              // [joint] the cascade's own values, before closing
-  std::vector<RigidTransform<Real>> T_parent_moved_;  // [joint] moved frame in its parent's moved frame
-  std::vector<RigidTransform<Real>> T_moved_;         // [joint] moved frame in S
-  std::vector<PointMoments<Real>> own_;               // [joint] of the points on the joint's links
-  std::vector<PointMoments<Real>> carried_;           // [joint] own and all further out, decayed, in the joint's moved frame
-  std::vector<Real> open_share_;                      // [joint] of a step: what closing has left of the weight it carries
-  Real decay_{};                                      // of the present pass
+  void sweep(const Model& model, const SolverPart& part, Num decay) noexcept;
+  void solve_step(const Model& model, const SolverStep& step, const RigidTransform<Num>& F, Num decay) noexcept;
+  void close_faded(const Model& model, const SolverPart& part) noexcept;
+
+  Fit fit_single(const Model& model, int joint, const RigidTransform<Num>& F) const noexcept;
+  Fit fit_group(const Model& model, const SolverStep& step, Num decay) noexcept;
+  Descent descent(const Model& model, const SolverStep& step, const JointValue<Num>& value, Num decay) noexcept;
+  Fit within_limits(const SolverJoint<Real>& joint, const JointValue<Num>& value) const noexcept;
+
+  Num contact_single(const Model& model, const SolverStep& step, const RigidTransform<Num>& F) noexcept;
+  Num contact_group(const Model& model, const SolverStep& step) noexcept;
+  Vector3<Num> node_in_frame(const Model& model, const ContactNode& node, int joint) const noexcept;
+
+  std::vector<PlaneDeformation<Num>> group_planes_;  // [group of planes] mean of its fingers
+  std::vector<JointState> joints_;                   // [joint]
 };
-
-extern template class Cascade<float>;
-extern template class Cascade<double>;
 
 }  // namespace uhas

@@ -1,29 +1,26 @@
 #include "uhas/runtime/cascade_solver.hpp"
 
-#include <algorithm>
-#include <string>
-
-#include "uhas/runtime/cascade_detail.hpp"
+#include "uhas/runtime/cascade_contact_detail.hpp"
+#include "uhas/runtime/cascade_lanes_kernel_detail.hpp"
 
 namespace uhas {
+namespace {
+
+struct Here {};
 
 template <class Real>
-struct CascadeSolver<Real>::Model : SolverModel<Real> {
-  using SolverModel<Real>::SolverModel;
-};
+using Wide = Lanes<Real, 16 / int(sizeof(Real)), Here>;  // 128 bits
+
+}  // namespace
 
 template <class Real>
-struct CascadeSolver<Real>::Scratch : Cascade<Real> {
-  using Cascade<Real>::Cascade;
+struct CascadeSolver<Real>::Scratch : Cascade<Real, Wide<Real>> {
+  using Cascade<Real, Wide<Real>>::Cascade;
 };
 
 template <class Real>
 CascadeSolver<Real>::CascadeSolver(const HandProfile& profile, const SolveOptions& options) {
-  constexpr int max_passes = 100;
-  if (options.passes < 1 || options.passes > max_passes)
-    throw Error(ErrorCode::invalid_action, "", "passes is " + std::to_string(options.passes), "choose a number from 1 to 100");
-  validate_profile(profile, "");
-  model_ = std::make_shared<const Model>(profile, options);
+  model_ = compile_solver_model<Real>(profile, options);
   scratch_ = std::make_unique<Scratch>(*model_);
 }
 
@@ -50,26 +47,40 @@ int CascadeSolver<Real>::joint_count() const noexcept {
 
 template <class Real>
 Status CascadeSolver<Real>::solve(const Action<Real>& action, std::span<Real> q) noexcept {
+  if (q.size() != model_->joints.size()) return Status::wrong_size;
+  if (const Status status = model_->decoder.check(action); status != Status::ok) return status;
   Scratch& cascade = *scratch_;
-  if (q.size() != cascade.q.size()) return Status::wrong_size;
-  const Status status = model_->decoder.decode(action, cascade.planes);
-  if (status != Status::ok) return status;
+  const ActionNumbers<Real> numbers{.values = action.values.data(),
+                                    .phi = action.driving_vectors_phi.data(),
+                                    .vectors = model_->decoder.vectors_of(action.values.size()),
+                                    .angles = static_cast<int>(action.driving_vectors_phi.size()),
+                                    .normalized = action.normalized};
+  model_->decoder.decode(numbers, cascade.planes.data());
   cascade.run(*model_);
-  for (std::size_t i = 0; i < q.size(); ++i) q[i] = cascade.q[i] * model_->joints[i].unit;
+  for (std::size_t i = 0; i < q.size(); ++i) q[i] = cascade.q(static_cast<int>(i)) * model_->joints[i].unit;
   return Status::ok;
 }
 
 template <class Real>
 Status CascadeSolver<Real>::solve(const Action<Real>& action, std::span<Real> q, SolveReport& report) noexcept {
-  Scratch& cascade = *scratch_;
-  const auto fits = [&](std::span<std::uint8_t> flags) { return flags.empty() || flags.size() == cascade.q.size(); };
+  const auto fits = [&](std::span<std::uint8_t> flags) { return flags.empty() || flags.size() == model_->joints.size(); };
   if (!fits(report.at_limit) || !fits(report.closed)) return Status::wrong_size;
   const Status status = solve(action, q);
   if (status != Status::ok) return status;
+  Scratch& cascade = *scratch_;
   report.residual_rms = cascade.residual_rms(*model_);
-  std::copy_n(cascade.at_limit.begin(), report.at_limit.size(), report.at_limit.begin());
-  std::copy_n(cascade.closed.begin(), report.closed.size(), report.closed.begin());
+  for (std::size_t i = 0; i < report.at_limit.size(); ++i) report.at_limit[i] = cascade.at_limit(static_cast<int>(i));
+  for (std::size_t i = 0; i < report.closed.size(); ++i) report.closed[i] = cascade.closed(static_cast<int>(i));
   return Status::ok;
+}
+
+template <>
+CascadeLanes<float> cascade_lanes_scalar() {
+  return CascadeLanesOf<float, Wide<float>>::functions();
+}
+template <>
+CascadeLanes<double> cascade_lanes_scalar() {
+  return CascadeLanesOf<double, Wide<double>>::functions();
 }
 
 template class CascadeSolver<float>;

@@ -16,6 +16,9 @@
 
 namespace uhas {
 
+template <class Real>
+struct SolverModel;  // private
+
 /// How a joint angle follows from the deformed sphere.
 enum class Rule : int {
   correspondence = 0,  ///< least squares over the surface points the joint carries
@@ -71,9 +74,8 @@ class CascadeSolver {
   Status solve(const Action<Real>& action, std::span<Real> q, SolveReport& report) noexcept;
 
  private:
-  struct Model;
   struct Scratch;
-  std::shared_ptr<const Model> model_;
+  std::shared_ptr<const SolverModel<Real>> model_;
   std::unique_ptr<Scratch> scratch_;
 };
 

@@ -1,88 +1,131 @@
 // Weighted moments of point pairs: all that the least-squares fit of a joint needs to know of its surface points.
 //
 // A joint's fit needs sums over points p (in a link frame) and targets t (in S). Such sums can be moved between frames and
-// added without going back to the points, so a solve visits each point once, however many joints carry it.
+// added without going back to the points, so a solve visits each point at most once, however many joints carry it.
 #pragma once
 
+#include <array>
+
 #include "uhas/base/rigid_transform.hpp"
+#include "uhas/runtime/lanes_detail.hpp"
 
 namespace uhas {
 
-template <class Real>
-struct PointMoments {
-  Real full_weight{};                ///< sum w, dropped points included
-  Real weight{};                     ///< sum w s, s = the share of the point that closing has left
-  Vector3<Real> p;                   ///< sum w s p
-  Vector3<Real> t;                   ///< sum w s t
-  Rotation<Real> pt{{0, 0, 0, 0, 0, 0, 0, 0, 0}};  ///< sum w s p t^T (any matrix, row-major)
+/// The sums that targets take part in.
+template <class Num>
+struct TargetMoments {
+  Vector3<Num> t;                    ///< sum w s t
+  std::array<Vector3<Num>, 3> pt{};  ///< pt[j] = sum w s t_j p
 
-  /// Adds a point whose share closing has left.
-  void add(Real w, Real share, Vector3<Real> point, Vector3<Real> target) {
-    full_weight += w;
-    const Real ws = w * share;
-    weight += ws;
-    const Vector3<Real> wt = ws * target;
-    p += ws * point;
+  /// Adds `factor` times the targets of `other`, whose points and shares are the same.
+  template <class Real>
+  void add_targets(const TargetMoments<Real>& other, Num factor) {
+    t += factor * other.t.template cast<Num>();
+    for (int j = 0; j < 3; ++j) pt[j] += factor * other.pt[j].template cast<Num>();
+  }
+
+  /// Adds a pair; `wt` is the target times its weight and share.
+  void add_pair(Vector3<Num> point, Vector3<Num> wt) {
     t += wt;
-    add_outer(point, wt);
+    pt[0] += wt.x * point;
+    pt[1] += wt.y * point;
+    pt[2] += wt.z * point;
   }
 
-  /// Turns every target about the z of S: t becomes R t, hence p t^T becomes p t^T R^T.
-  void turn_targets(Real c, Real s) {
-    t = {c * t.x - s * t.y, s * t.x + c * t.y, t.z};
-    for (int row = 0; row < 9; row += 3) {
-      const Real x = pt.m[row], y = pt.m[row + 1];
-      pt.m[row] = c * x - s * y;
-      pt.m[row + 1] = s * x + c * y;
-    }
+  /// Turns every target about the z of S by the angle of this cosine and sine.
+  void turn_targets(Num cosine, Num sine) {
+    t = {cosine * t.x - sine * t.y, sine * t.x + cosine * t.y, t.z};
+    const Vector3<Num> x = pt[0], y = pt[1];
+    pt[0] = cosine * x - sine * y;
+    pt[1] = sine * x + cosine * y;
+  }
+};
+
+template <class Num>
+struct PointMoments : TargetMoments<Num> {
+  Num full_weight{};  ///< sum w, dropped points included
+  Num weight{};       ///< sum w s, s = the share of the point that closing has left
+  Vector3<Num> p;     ///< sum w s p
+
+  /// Adds a point of which closing has left `share`.
+  void add(Num w, Num share, Vector3<Num> point, Vector3<Num> target) {
+    full_weight += w;
+    weight += w * share;
+    p += (w * share) * point;
+    this->add_pair(point, (w * share) * target);
   }
 
-  /// Adds `factor` times the targets of `other`, whose points and weights are the same.
-  void add_targets(const PointMoments& other, Real factor) {
-    t += factor * other.t;
-    for (int i = 0; i < 9; ++i) pt.m[i] += factor * other.pt.m[i];
-  }
-
-  /// Adds `factor` times `other`, whose points are in a frame that `T` maps to this one's.
-  void add_transformed(const PointMoments& other, const RigidTransform<Real>& T, Real factor) {
+  /// Adds `factor` times `other`, whose points are in a frame that `T` maps to this one's: (p, weight) and each (pt[j], t_j)
+  /// are sums of points and of their weights, so that T maps the one with the other's help.
+  void add_transformed(const PointMoments& other, const RigidTransform<Num>& T, Num factor) {
+    const auto moved = [&](Vector3<Num> points, Num weights) {
+      return factor * (T.rotation * points + weights * T.translation);
+    };
     full_weight += factor * other.full_weight;
     weight += factor * other.weight;
-    p += factor * (T.rotation * other.p + other.weight * T.translation);
-    t += factor * other.t;
-    const Rotation<Real> rotated = T.rotation * other.pt;
-    for (int i = 0; i < 9; ++i) pt.m[i] += factor * rotated.m[i];
-    add_outer(T.translation, factor * other.t);
+    p += moved(other.p, other.weight);
+    this->t += factor * other.t;
+    this->pt[0] += moved(other.pt[0], other.t.x);
+    this->pt[1] += moved(other.pt[1], other.t.y);
+    this->pt[2] += moved(other.pt[2], other.t.z);
   }
 
- private:
-  void add_outer(Vector3<Real> a, Vector3<Real> b) {
-    pt.m[0] += a.x * b.x, pt.m[1] += a.x * b.y, pt.m[2] += a.x * b.z;
-    pt.m[3] += a.y * b.x, pt.m[4] += a.y * b.y, pt.m[5] += a.y * b.z;
-    pt.m[6] += a.z * b.x, pt.m[7] += a.z * b.y, pt.m[8] += a.z * b.z;
+  /// Adds `other`, whose points are in the same frame.
+  void add(const PointMoments& other) {
+    full_weight += other.full_weight;
+    weight += other.weight;
+    p += other.p;
+    this->add_targets(other, Num(1));
+  }
+
+  template <class To>
+  PointMoments<To> cast() const {
+    PointMoments<To> result;
+    result.full_weight = To(full_weight);
+    result.weight = To(weight);
+    result.p = p.template cast<To>();
+    result.t = this->t.template cast<To>();
+    for (int j = 0; j < 3; ++j) result.pt[j] = this->pt[j].template cast<To>();
+    return result;
   }
 };
 
 /// What a joint sees of its points, all in the joint's frame F before its own motion, whose z is the joint's axis.
-template <class Real>
+template <class Num>
 struct JointFit {
-  Real sine{};    ///< sum w s z . (p x t)
-  Real cosine{};  ///< sum w s (p_x t_x + p_y t_y)
-  Real shift{};   ///< sum w s z . (t - p)
+  Num sine{};    ///< sum w s z . (p x t)
+  Num cosine{};  ///< sum w s (p_x t_x + p_y t_y)
+  Num shift{};   ///< sum w s z . (t - p)
 };
 
 /// Targets go to F by t_F = R^T (t - o), so that sum p t_F^T = (sum p t^T - sum p o^T) R; only the rows and columns across the
 /// axis count.
 /// @param moments  points in F at joint value 0, targets in S
 /// @param T_S_F    F in S
-template <class Real>
-JointFit<Real> fit_joint(const PointMoments<Real>& moments, const RigidTransform<Real>& T_S_F) {
-  const std::array<Real, 9>& m = moments.pt.m;
-  const Vector3<Real> o = T_S_F.translation, p = moments.p;
-  const Vector3<Real> row_x = Vector3<Real>{m[0], m[1], m[2]} - p.x * o, row_y = Vector3<Real>{m[3], m[4], m[5]} - p.y * o;
-  const Vector3<Real> x = T_S_F.rotation.column(0), y = T_S_F.rotation.column(1), z = T_S_F.rotation.column(2);
+template <class Num>
+JointFit<Num> fit_joint(const PointMoments<Num>& moments, const RigidTransform<Num>& T_S_F) {
+  const std::array<Vector3<Num>, 3>& pt = moments.pt;
+  const Vector3<Num> o = T_S_F.translation, p = moments.p;
+  const Vector3<Num> row_x = Vector3<Num>{pt[0].x, pt[1].x, pt[2].x} - p.x * o;
+  const Vector3<Num> row_y = Vector3<Num>{pt[0].y, pt[1].y, pt[2].y} - p.y * o;
+  const Vector3<Num> x = T_S_F.rotation.column(0), y = T_S_F.rotation.column(1), z = T_S_F.rotation.column(2);
   return {.sine = dot(row_x, y) - dot(row_y, x),
           .cosine = dot(row_x, x) + dot(row_y, y),
           .shift = dot(z, moments.t - moments.weight * o) - p.z};
+}
+
+/// How two turning joints of one chain bend the cost together: the second derivative of sum w s p . t, with the outer one's
+/// points. With p from the outer joint's origin and t from the inner one's it is
+/// z_in . ((z_out x p) x t) = (z_in . p) (z_out . t) - (z_in . z_out) (p . t).
+/// @param moments       points that the outer joint carries, in its moved frame
+/// @param T_in, T_out   the joints' moved frames in S; their z are the axes
+template <class Num>
+Num bend_of_pair(const PointMoments<Num>& moments, const RigidTransform<Num>& T_in, const RigidTransform<Num>& T_out) {
+  const Vector3<Num> o = T_in.translation, z_in = T_in.rotation.column(2), z_out = T_out.rotation.column(2);
+  const Vector3<Num> x = T_out.rotation * moments.pt[0], y = T_out.rotation * moments.pt[1],
+                     z = T_out.rotation * moments.pt[2], p = T_out.rotation * moments.p;
+  const Vector3<Num> along = z_out.x * x + z_out.y * y + z_out.z * z - dot(z_out, o) * p;
+  return dot(z_in, along) - dot(z_in, z_out) * (x.x + y.y + z.z - dot(p, o));
 }
 
 }  // namespace uhas

@@ -1,9 +1,12 @@
 #include "uhas/runtime/solver_model_detail.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <numeric>
+#include <span>
 #include <string>
+#include <tuple>
 
 #include "uhas/base/spherical.hpp"
 
@@ -12,18 +15,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-template <class Real>
-Vector3<Real> cast(Vector3d a) {
-  return {static_cast<Real>(a.x), static_cast<Real>(a.y), static_cast<Real>(a.z)};
-}
-
-template <class Real>
-RigidTransform<Real> cast(const RigidTransformd& T) {
-  RigidTransform<Real> result;
-  for (int i = 0; i < 9; ++i) result.rotation.m[i] = static_cast<Real>(T.rotation.m[i]);
-  result.translation = cast<Real>(T.translation);
-  return result;
-}
+/// Factor on a point's weight for each unknown between it and the joint being solved, in a single pass (design 3.8).
+constexpr double kDecay = 0.3;
 
 /// The free arc outside the limits belongs partly to the open limit, the rest to the closed one: a target that passes behind
 /// a closing joint must leave it closed, while one a little beyond open must leave it open (design 3.8).
@@ -55,14 +48,18 @@ SolverJoint<Real> compile_joint(const HandProfile& profile, const SolveOptions& 
   compiled.parent = joint.parent;
   RigidTransformd T = solver_from_profile(profile, joint.parent) * joint.T_parent_joint * axis_frame(joint);
   T.translation = T.translation / profile.radius;
-  compiled.T_parent_joint = cast<Real>(T);
+  compiled.T_parent_joint = T.cast<Real>();
 
   const double unit = compiled.prismatic ? profile.radius : 1.0;
+  const auto value = [&](double q) {  // by libm: not in haste
+    const JointValue<double> turn{q / unit, std::cos(q), std::sin(q)};
+    return compiled.prismatic ? JointValue<Real>{Real(q / unit), 1, 0} : turn.cast<Real>();
+  };
   compiled.unit = static_cast<Real>(unit);
-  compiled.lower = compiled.value(static_cast<Real>(joint.lower / unit));
-  compiled.upper = compiled.value(static_cast<Real>(joint.upper / unit));
+  compiled.lower = value(joint.lower);
+  compiled.upper = value(joint.upper);
   const bool from_open = options.rule == Rule::contact && traits.joint_class == JointClass::encompassing;
-  compiled.start = compiled.value(static_cast<Real>((from_open ? traits.q_open : traits.q_sphere) / unit));
+  compiled.start = value(from_open ? traits.q_open : traits.q_sphere);
   compiled.q_closed = static_cast<Real>(traits.q_closed / unit);
   const bool closes_upward = joint.upper - traits.q_closed <= traits.q_closed - joint.lower;
   compiled.travel = {static_cast<Real>(traits.q_open / unit), compiled.q_closed,
@@ -153,33 +150,123 @@ int finger_of_point(const HandProfile& profile, const Correspondence& c) {
   return nearest;
 }
 
-/// Sorts the points by joint and finger and sums up each patch.
+/// Pairs of driven turning joints of which the first carries the second.
+std::vector<std::pair<int, int>> nested_joints(const CascadeStep& step, const KinematicTree& tree) {
+  std::vector<std::pair<int, int>> nested;
+  const auto turns = [&](int i) { return tree.joints[i].kind != JointKind::prismatic; };
+  for (int outer : step.driven)
+    for (int inner = tree.joints[outer].parent; inner >= 0; inner = tree.joints[inner].parent)
+      if (turns(inner) && turns(outer) && std::find(step.driven.begin(), step.driven.end(), inner) != step.driven.end())
+        nested.emplace_back(inner, outer);
+  return nested;
+}
+
+template <class Real>
+PointColumns<Real> columns_of(std::span<const SolverPoint<Real>> points) {
+  PointColumns<Real> columns;
+  constexpr std::size_t widest = PointColumns<Real>::kWidest;
+  columns.length = (points.size() + widest - 1) / widest * widest;
+  const auto fill = [&](std::vector<Real>& column, const auto& number) {
+    for (const SolverPoint<Real>& point : points) column.push_back(number(point));
+    column.resize(columns.length);
+  };
+  using Point = SolverPoint<Real>;
+  fill(columns.phi, [](const Point& point) { return point.phi; });
+  fill(columns.rho, [](const Point& point) { return point.rho; });
+  fill(columns.weight, [](const Point& point) { return point.weight; });
+  fill(columns.p[0], [](const Point& point) { return point.p.x; });
+  fill(columns.p[1], [](const Point& point) { return point.p.y; });
+  fill(columns.p[2], [](const Point& point) { return point.p.z; });
+  fill(columns.direction[0], [](const Point& point) { return point.direction.x; });
+  fill(columns.direction[1], [](const Point& point) { return point.direction.y; });
+  fill(columns.direction[2], [](const Point& point) { return point.direction.z; });
+  return columns;
+}
+
+/// Sums up points [first, last), which are sorted by polar angle.
+template <class Real>
+SolverPatch<Real> compile_patch(const std::vector<SolverPoint<Real>>& points, std::size_t first, std::size_t last) {
+  SolverPatch<Real> patch{.joint = points[first].joint,
+                          .finger = points[first].finger,
+                          .first = first,
+                          .last = last,
+                          .first_of_joint = first == 0 || points[first - 1].joint != points[first].joint,
+                          .least_phi = points[first].phi,
+                          .greatest_phi = points[last - 1].phi,
+                          .least_rho = points[first].rho,
+                          .rest = {},
+                          .beyond = std::vector<TargetMoments<Real>>(last - first),
+                          .beyond_phi = std::vector<TargetMoments<Real>>(last - first),
+                          .columns = columns_of(std::span(points).subspan(first, last - first))};
+  TargetMoments<Real> beyond, beyond_phi;
+  for (std::size_t k = last; k-- > first;) {
+    const SolverPoint<Real>& point = points[k];
+    patch.least_rho = std::min(patch.least_rho, point.rho);
+    patch.rest.add(point.weight, Real(1), point.p, point.rho * point.direction);
+    beyond.add_pair(point.p, point.weight * point.direction);
+    beyond_phi.add_pair(point.p, point.weight * point.phi * point.direction);
+    patch.beyond[k - first] = beyond;
+    patch.beyond_phi[k - first] = beyond_phi;
+  }
+  return patch;
+}
+
+/// Sorts the points by joint, finger and polar angle and sums up each patch.
 template <class Real>
 std::vector<SolverPatch<Real>> gather_patches(std::vector<SolverPoint<Real>>& points) {
   std::stable_sort(points.begin(), points.end(), [](const SolverPoint<Real>& a, const SolverPoint<Real>& b) {
-    return std::pair(a.joint, a.finger) < std::pair(b.joint, b.finger);
+    return std::tuple(a.joint, a.finger, a.phi) < std::tuple(b.joint, b.finger, b.phi);
   });
   std::vector<SolverPatch<Real>> patches;
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const SolverPoint<Real>& point = points[k];
-    if (patches.empty() || patches.back().joint != point.joint || patches.back().finger != point.finger) {
-      patches.push_back({.joint = point.joint, .finger = point.finger, .first = k, .last = k, .least_rho = point.rho, .rest = {}, .per_unit = {}});
-      for (int vectors = 1; vectors <= kMaxDrivingVectors; ++vectors) patches.back().per_unit[vectors - 1].resize(vectors);
-    }
-    SolverPatch<Real>& patch = patches.back();
-    patch.last = k + 1;
-    patch.least_rho = std::min(patch.least_rho, point.rho);
-    patch.rest.add(point.weight, Real(1), point.p, point.rho * point.direction);
-    for (int vectors = 1; vectors <= kMaxDrivingVectors; ++vectors) {
-      for (int j = 0; j < vectors; ++j) {
-        PlaneDeformation<Real> unit{.delta_theta = 0, .vectors = vectors, .default_angles = true, .phi = {}, .delta_r = {}};
-        for (int i = 0; i < vectors; ++i) unit.phi[i] = default_driving_angle<Real>(vectors, i);
-        unit.delta_r[j] = Real(1);
-        patch.per_unit[vectors - 1][j].add(point.weight, Real(1), point.p, unit.radial(point.phi) * point.direction);
-      }
-    }
+  for (std::size_t first = 0, last = 0; first < points.size(); first = last) {
+    while (last < points.size() && points[last].joint == points[first].joint && points[last].finger == points[first].finger)
+      ++last;
+    patches.push_back(compile_patch(points, first, last));
   }
   return patches;
+}
+
+/// For each joint the least joint that it cannot be solved without: they share a parent, a master or a finger.
+std::vector<int> connected_joints(const HandProfile& profile) {
+  const std::vector<Joint>& joints = profile.tree.joints;
+  std::vector<int> least(joints.size());
+  std::iota(least.begin(), least.end(), 0);
+  const auto join = [&](int a, int b) {
+    const auto [low, high] = std::minmax(least[a], least[b]);
+    std::replace(least.begin(), least.end(), high, low);
+  };
+  for (int i = 0; i < static_cast<int>(joints.size()); ++i) {
+    if (joints[i].parent >= 0) join(i, joints[i].parent);
+    if (joints[i].mimic_master >= 0) join(i, joints[i].mimic_master);
+  }
+  for (const ProfileFinger& finger : profile.fingers)
+    for (int i : finger.joints) join(i, finger.joints.front());
+  return least;
+}
+
+template <class Real>
+std::vector<SolverPart> gather_parts(const HandProfile& profile, const SolverModel<Real>& model) {
+  const std::vector<int> least = connected_joints(profile);
+  std::vector<SolverPart> parts;
+  for (int first = 0; first < static_cast<int>(least.size()); ++first) {
+    if (least[first] != first) continue;
+    SolverPart part;
+    const auto inside = [&](int joint) { return least[joint] == first; };
+    for (int i = 0; i < static_cast<int>(least.size()); ++i)
+      if (inside(i)) part.tree.push_back({i, model.joints[i].parent >= 0});
+    for (int f = 0; f < static_cast<int>(profile.fingers.size()); ++f)
+      if (inside(profile.fingers[f].joints.front())) part.fingers.push_back(f);
+    for (int k = 0; k < static_cast<int>(model.laterals.size()); ++k) {
+      if (!inside(model.laterals[k].joint)) continue;
+      part.laterals.push_back(k);
+      for (const ScopedJoint& s : part.tree)
+        if (model.joints[s.joint].master == model.laterals[k].joint) part.lateral_followers.push_back(s.joint);
+    }
+    for (int k = 0; k < static_cast<int>(model.steps.size()); ++k)
+      if (inside(model.steps[k].driven.front())) part.steps.push_back(k);
+    parts.push_back(part);
+  }
+  return parts;
 }
 
 }  // namespace
@@ -191,8 +278,12 @@ SolverModel<Real>::SolverModel(const HandProfile& profile, const SolveOptions& s
   const int finger_count = static_cast<int>(profile.fingers.size());
   for (int i = 0; i < joint_count; ++i) {
     joints.push_back(compile_joint<Real>(profile, options, i));
-    whole_tree.push_back({i, joints[i].parent >= 0});
   }
+
+  // the decay rises to 1 over the passes: the last ones descend on the plain weights
+  const int passes = options.rule == Rule::contact ? 1 : options.passes;
+  for (int pass = 0; pass < passes; ++pass)
+    decays.push_back(static_cast<Real>(passes > 1 ? std::pow(kDecay, 1.0 - double(pass) / double(passes - 1)) : kDecay));
 
   std::vector<std::vector<int>> finger_joints;
   for (const ProfileFinger& finger : profile.fingers) finger_joints.push_back(finger.joints);
@@ -205,13 +296,15 @@ SolverModel<Real>::SolverModel(const HandProfile& profile, const SolveOptions& s
   step_at.assign(joint_count, -1);
   for (const CascadeStep& step : plan_cascade(profile.tree, finger_joints, classes, q_sphere)) {
     if (step.driven.size() == 1 || step.fingers.size() == 1) step_at[step.driven.front()] = static_cast<int>(steps.size());
-    steps.push_back({step, scope_of(step, profile.tree)});
+    const bool single = step.driven.size() == 1 && step.driven.front() == step.joint;
+    steps.push_back({step, single, nested_joints(step, profile.tree), scope_of(step, profile.tree)});
   }
 
   for (const ProfileFinger& finger : profile.fingers) {
     const ProfileLink& link = profile.links[finger.tip_link];
     tip_joint.push_back(link.joint);
-    p_tip.push_back(cast<Real>((solver_from_profile(profile, link.joint) * link.T_joint_link * finger.p_tip_link) / profile.radius));
+    const Vector3d p = solver_from_profile(profile, link.joint) * link.T_joint_link * finger.p_tip_link;
+    p_tip.push_back((p / profile.radius).cast<Real>());
   }
 
   for (int f = 0; f < finger_count; ++f) {
@@ -219,6 +312,12 @@ SolverModel<Real>::SolverModel(const HandProfile& profile, const SolveOptions& s
     const LateralTable& table = profile.lateral_tables[profile.fingers[f].lateral_table];
     laterals.push_back({table.joint, f, static_cast<Real>(table.delta_theta_lower), static_cast<Real>(table.delta_theta_upper), {}});
     for (double q : table.inverse_q) laterals.back().inverse_q.push_back(static_cast<Real>(q) / joints[table.joint].unit);
+  }
+
+  for (int i = 0; i < joint_count; ++i) {
+    SolverJoint<Real>& joint = joints[i];
+    if (joint.master < 0) continue;
+    joint.start = joint.value(joint.multiplier * joints[joint.master].start.q + joint.offset);
   }
 
   plane_groups = group_planes(profile);
@@ -232,9 +331,10 @@ SolverModel<Real>::SolverModel(const HandProfile& profile, const SolveOptions& s
     point.joint = link.joint;
     point.finger = finger_of_point(profile, c);
     if (c.weight <= 0 || point.finger < 0) continue;
-    point.p = cast<Real>((solver_from_profile(profile, link.joint) * link.T_joint_link * c.p_link) / profile.radius);
+    const Vector3d p = solver_from_profile(profile, link.joint) * link.T_joint_link * c.p_link;
+    point.p = (p / profile.radius).cast<Real>();
     const double azimuth = profile.mirrored ? -c.theta : c.theta;
-    point.direction = cast<Real>(from_spherical<double>({azimuth, c.phi, 1.0}));
+    point.direction = from_spherical<double>({azimuth, c.phi, 1.0}).cast<Real>();
     point.rho = static_cast<Real>(c.rho);
     point.phi = static_cast<Real>(c.phi);
     point.weight = static_cast<Real>(c.weight);
@@ -242,8 +342,22 @@ SolverModel<Real>::SolverModel(const HandProfile& profile, const SolveOptions& s
     points.push_back(point);
   }
   patches = gather_patches(points);
+  patches_of_finger.resize(finger_count);
+  for (int k = 0; k < static_cast<int>(patches.size()); ++k) patches_of_finger[patches[k].finger].push_back(k);
+  parts = gather_parts(profile, *this);
 }
 
+template <class Real>
+std::shared_ptr<const SolverModel<Real>> compile_solver_model(const HandProfile& profile, const SolveOptions& options) {
+  constexpr int max_passes = 100;
+  if (options.passes < 1 || options.passes > max_passes)
+    throw Error(ErrorCode::invalid_action, "", "passes is " + std::to_string(options.passes), "choose a number from 1 to 100");
+  validate_profile(profile, "");
+  return std::make_shared<const SolverModel<Real>>(profile, options);
+}
+
+template std::shared_ptr<const SolverModel<float>> compile_solver_model<float>(const HandProfile&, const SolveOptions&);
+template std::shared_ptr<const SolverModel<double>> compile_solver_model<double>(const HandProfile&, const SolveOptions&);
 template struct SolverModel<float>;
 template struct SolverModel<double>;
 

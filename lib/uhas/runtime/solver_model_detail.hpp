@@ -2,20 +2,29 @@
 // Lengths are in sphere radii and every joint's axis is the z of its frame: both make the arithmetic of a solve shorter.
 #pragma once
 
+#include <array>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "uhas/runtime/action_decoder_detail.hpp"
 #include "uhas/runtime/cascade_plan.hpp"
 #include "uhas/runtime/cascade_solver.hpp"
 #include "uhas/runtime/contact.hpp"
+#include "uhas/runtime/lane_math_detail.hpp"
 #include "uhas/runtime/moments_detail.hpp"
 
 namespace uhas {
 
 /// A joint value with what its motion needs: cosine and sine of a turn; 1 and 0 for a slide.
-template <class Real>
+template <class Num>
 struct JointValue {
-  Real q{}, cosine{1}, sine{};
+  Num q{}, cosine{1}, sine{};
+
+  template <class To>
+  JointValue<To> cast() const {
+    return {To(q), To(cosine), To(sine)};
+  }
 };
 
 template <class Real>
@@ -32,16 +41,19 @@ struct SolverJoint {
   int master = -1;
   Real multiplier{1}, offset{};
 
-  JointValue<Real> value(Real q) const {
-    if (prismatic) return {q, Real(1), Real(0)};
-    return {q, std::cos(q), std::sin(q)};
+  template <class Num>
+  JointValue<Num> value(Num q) const {
+    if (prismatic) return {q, Num(1), Num(0)};
+    const SinCos<Num> turn = sincos(q);
+    return {q, turn.cosine, turn.sine};
   }
 
   /// Frame F of the joint, moved by `value`: a turn about, or a shift along, its z.
-  RigidTransform<Real> moved(const RigidTransform<Real>& F, const JointValue<Real>& value) const {
-    const Vector3<Real> x = F.rotation.column(0), y = F.rotation.column(1), z = F.rotation.column(2);
+  template <class Num>
+  RigidTransform<Num> moved(const RigidTransform<Num>& F, const JointValue<Num>& value) const {
+    const Vector3<Num> x = F.rotation.column(0), y = F.rotation.column(1), z = F.rotation.column(2);
     if (prismatic) return {F.rotation, F.translation + value.q * z};
-    return {Rotation<Real>::from_columns(value.cosine * x + value.sine * y, value.cosine * y - value.sine * x, z), F.translation};
+    return {Rotation<Num>::from_columns(value.cosine * x + value.sine * y, value.cosine * y - value.sine * x, z), F.translation};
   }
 };
 
@@ -57,15 +69,28 @@ struct SolverPoint {
   Real blend{};                       ///< 0 at plane_before, 1 at plane_after
 };
 
-/// The points of one finger on one joint: [first, last). Targets are linear in the displacements as long as no point fades, so
-/// their moments are those at rest plus one set for each driving vector at its default angle.
+/// The points of a patch column by column, as lanes read them; filled up with points of no weight.
+template <class Real>
+struct PointColumns {
+  static constexpr std::size_t kWidest = 8;  ///< lengths are multiples of this
+
+  std::size_t length{};
+  std::vector<Real> phi, rho, weight;
+  std::array<std::vector<Real>, 3> p, direction;
+};
+
+/// The points of one finger on one joint: [first, last), by polar angle. Where no point fades, targets are linear in the
+/// displacement, which is linear in phi between driving vectors: two sets of sums take the place of the points.
 template <class Real>
 struct SolverPatch {
   int joint{}, finger{};
   std::size_t first{}, last{};
-  Real least_rho{};
-  PointMoments<Real> rest;                                                  ///< undeformed
-  std::array<std::vector<PointMoments<Real>>, kMaxDrivingVectors> per_unit;  ///< [V - 1][j] targets for d r_j = 1, others 0
+  bool first_of_joint{};                         ///< of the joint's patches, in the order of `patches_of_finger`
+  Real least_phi{}, greatest_phi{}, least_rho{};
+  PointMoments<Real> rest;                       ///< undeformed
+  std::vector<TargetMoments<Real>> beyond;       ///< [point] of this and all later points, targets `direction`
+  std::vector<TargetMoments<Real>> beyond_phi;   ///< [point] of this and all later points, targets phi `direction`
+  PointColumns<Real> columns;
 };
 
 template <class Real>
@@ -83,7 +108,19 @@ struct ScopedJoint {
 
 /// A step of the cascade and the joints whose frames depend on it.
 struct SolverStep : CascadeStep {
+  bool single{};                            ///< one joint, without followers
+  std::vector<std::pair<int, int>> nested;  ///< driven turning joints of which the first carries the second
   std::vector<ScopedJoint> scope;  ///< driven joints and all joints further out, in tree order
+};
+
+/// A part of the hand that no other part moves: a finger, or fingers that share a joint. Parts are solved one after the other,
+/// so that the memory one needs stays near.
+struct SolverPart {
+  std::vector<ScopedJoint> tree;      ///< its joints, in tree order
+  std::vector<int> fingers;
+  std::vector<int> laterals;          ///< indices into `SolverModel::laterals`
+  std::vector<int> lateral_followers; ///< joints that mimic one of these
+  std::vector<int> steps;             ///< indices into `SolverModel::steps`, in solving order
 };
 
 template <class Real>
@@ -96,15 +133,21 @@ struct SolverModel {
   std::vector<SolverJoint<Real>> joints;
   std::vector<SolverPoint<Real>> points;       ///< sorted by patch
   std::vector<SolverPatch<Real>> patches;
+  std::vector<std::vector<int>> patches_of_finger;  ///< [finger] indices into `patches`
   std::vector<SolverLateral<Real>> laterals;
   std::vector<SolverStep> steps;
-  std::vector<ScopedJoint> whole_tree;
+  std::vector<SolverPart> parts;
+  std::vector<Real> decays;                    ///< [pass] factor on a point's weight for each unknown between it and a joint
   std::vector<int> step_at;                    ///< [joint] the step solved when the sweep reaches the joint; -1 = none
   std::vector<int> tip_joint;                  ///< [finger]
   std::vector<Vector3<Real>> p_tip;            ///< [finger] in the tip joint's moved frame
   std::vector<std::vector<int>> plane_groups;  ///< fingers whose planes stand closer than 5 degrees, by azimuth
   std::vector<int> group_of_finger;            ///< [finger] index into `plane_groups`
 };
+
+/// Throws Error: invalid_profile for a profile that `validate_profile` refuses, invalid_action for passes out of range.
+template <class Real>
+std::shared_ptr<const SolverModel<Real>> compile_solver_model(const HandProfile& profile, const SolveOptions& options);
 
 extern template struct SolverModel<float>;
 extern template struct SolverModel<double>;

@@ -11,7 +11,15 @@ namespace {
 
 std::array<PlaneDeformation<double>, 2> decode(const Action<double>& action, Status expected = Status::ok) {
   std::array<PlaneDeformation<double>, 2> planes;
-  CHECK(ActionDecoder<double>(test::small_profile()).decode(action, planes) == expected);
+  const ActionDecoder<double> decoder(test::small_profile());
+  CHECK(decoder.check(action) == expected);
+  if (expected != Status::ok) return planes;
+  const ActionNumbers<double> numbers{.values = action.values.data(),
+                                      .phi = action.driving_vectors_phi.data(),
+                                      .vectors = decoder.vectors_of(action.values.size()),
+                                      .angles = static_cast<int>(action.driving_vectors_phi.size()),
+                                      .normalized = action.normalized};
+  decoder.decode(numbers, planes.data());
   return planes;
 }
 
@@ -66,11 +74,18 @@ TEST_CASE("what cannot be decoded is refused by a status") {
 }
 
 TEST_CASE("the radial profile is anchored at the pole, linear between driving vectors, constant beyond the last") {
-  PlaneDeformation<double> plane{.delta_theta = 0, .vectors = 2, .phi = {1.0, 2.0}, .delta_r = {0.4, -0.6}};
-  CHECK(plane.radial(0) == 0);
-  CHECK(plane.radial(0.5) == doctest::Approx(0.2));
-  CHECK(plane.radial(1.0) == doctest::Approx(0.4));
-  CHECK(plane.radial(1.5) == doctest::Approx(-0.1));
-  CHECK(plane.radial(2.0) == doctest::Approx(-0.6));
-  CHECK(plane.radial(3.1) == doctest::Approx(-0.6));
+  PlaneDeformation<double> plane;
+  plane.vectors = 2;
+  plane.phi = {1.0, 2.0};
+  plane.delta_r = {0.4, -0.6};
+  plane.find_slopes();
+  const auto at = [&](double phi) { return plane.at(phi).delta_r; };
+  CHECK(at(0) == doctest::Approx(0));
+  CHECK(at(0.5) == doctest::Approx(0.2));
+  CHECK(at(1.0) == doctest::Approx(0.4));
+  CHECK(at(1.5) == doctest::Approx(-0.1));
+  CHECK(at(2.0) == doctest::Approx(-0.6));
+  CHECK(at(3.1) == -0.6);
+  CHECK(plane.at(0.5).past_first == doctest::Approx(0.4));
+  CHECK(plane.at(1.5).past_first == plane.at(1.5).delta_r);
 }

@@ -1,0 +1,23 @@
+// Which of the processor's wide instructions the batch calls use. Chosen when an object is constructed, at run time: the
+// library itself is compiled for the oldest processor of its kind.
+#pragma once
+
+namespace uhas {
+
+enum class InstructionSet : int {
+  scalar = 0,    ///< one hand after the other, the code of a single solve
+  baseline = 1,  ///< 128 bits, which every x86-64 and aarch64 processor has: 4 floats or 2 doubles
+  avx2 = 2,      ///< AVX2 and FMA, 256 bits: 8 floats or 4 doubles
+};
+
+/// Whether this library was built with `set` and this processor has it.
+bool is_available(InstructionSet set) noexcept;
+
+/// The widest one available, but none wider than the environment variable UHAS_INSTRUCTION_SET names: `scalar`, `baseline`
+/// or `avx2`. Any other value counts as unset. Reads the environment: for set-up code, not for the real-time path.
+InstructionSet widest_instruction_set() noexcept;
+
+/// The name above; never null.
+const char* to_string(InstructionSet set) noexcept;
+
+}  // namespace uhas

@@ -2,15 +2,16 @@
 
 uhas_build_packages=(
   g++ cmake ninja-build
-  libeigen3-dev libhdf5-dev                              # runtime
+  libhdf5-dev                                            # runtime
   liburdfdom-dev libconsole-bridge-dev libtinyxml-dev    # URDF
   libassimp-dev libembree-dev nlohmann-json3-dev         # meshes, rays, hand configs
   libcli11-dev                                           # tools
 )
 
 uhas_test_packages=(
-  doctest-dev mandoc
-  liborocos-kdl-dev libnlopt-cxx-dev libnlopt-dev        # independent kinematics and optimiser
+  doctest-dev mandoc pkg-config
+  liborocos-kdl-dev libeigen3-dev                        # independent kinematics
+  libnlopt-cxx-dev libnlopt-dev                          # independent optimiser
   python3 python3-numpy python3-h5py python3-jsonschema  # second reader of the profile, schema validator
 )
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the packages that are missing, builds uhas with warnings as errors and runs every test; then the unit tests again
-# under AddressSanitizer and UndefinedBehaviorSanitizer, and a build of the runtime library alone.
+# under AddressSanitizer and UndefinedBehaviorSanitizer; then builds, installs and uses the runtime library alone.
 # Ends with one line a suite and what was skipped, by name; exits with 0 when everything passed.
 #
 #   UHAS_HANDS_DIR   folder of real hands, one folder a hand with its truth.json. When it is not set, the tests on real hands
@@ -38,7 +38,12 @@ for preset in dev asan; do
   rm -f "build/$preset/results.xml"
   if build "$preset"; then run_tests "$preset"; fi
 done
-build runtime-only || true
+if build runtime-only; then
+  profile=build/runtime-only/allegro_right.h5
+  build/dev/bin/uhas-build-profile --quiet hands/allegro_right/allegro_right.urdf -o "$profile" &&
+    /usr/bin/python3 tests/install/check_install.py build/runtime-only --profile "$profile" ||
+    failed+=("the runtime library, installed alone")
+fi
 
 for preset in dev asan; do
   [[ -e build/$preset/results.xml ]] || continue
@@ -49,4 +54,4 @@ if ((${#failed[@]})); then
   printf 'FAILED: %s\n' "${failed[@]}"
   exit 1
 fi
-echo "Everything passed; the runtime library builds alone."
+echo "Everything passed; the runtime library builds and installs alone."

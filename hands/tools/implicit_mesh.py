@@ -49,6 +49,25 @@ def capsule(start, end, radius):
     return shape
 
 
+def cone(start, end, start_radius, end_radius):
+    """A tapered capsule: the hull of the balls about `start` and `end`."""
+    start, end = np.asarray(start, float), np.asarray(end, float)
+    length = _length((end - start)[None, :])[0]
+    direction = (end - start) / length
+    sine = (start_radius - end_radius) / length
+    cosine = np.sqrt(1 - sine * sine)
+
+    def shape(p):
+        along = _dot(p - start, direction)
+        radial = _length(p - start - along[:, None] * direction)
+        foot = along * cosine - radial * sine
+        side = radial * cosine + along * sine - start_radius
+        return np.where(foot < 0, _length(p - start) - start_radius,
+                        np.where(foot > length * cosine, _length(p - end) - end_radius, side))
+
+    return shape
+
+
 def half_space(point, normal):
     """All points behind the plane through `point` with the outward unit `normal`."""
     point, normal = np.asarray(point, float), np.asarray(normal, float)
@@ -68,6 +87,11 @@ def intersection(a, b, blend):
 def difference(a, b, blend):
     """The first shape without the second, the edge rounded over about `blend`."""
     return lambda p: _smooth_max(a(p), -b(p), blend)
+
+
+def turned(shape):
+    """The shape turned about the z axis so that its +x side faces -y."""
+    return lambda p: shape(np.stack([-p[:, 1], p[:, 0], p[:, 2]], axis=1))
 
 
 def mesh(shape, low, high, cell):

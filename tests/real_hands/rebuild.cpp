@@ -3,8 +3,8 @@
 #include <doctest/doctest.h>
 
 #include "support/real_profile.hpp"
-#include "support/rebuild_from_config.hpp"
 #include "support/scratch_folder.hpp"
+#include "uhas/profile_builder/complete_config.hpp"
 #include "uhas/profile_builder/settings_json.hpp"
 #include "uhas/profile_io/read_profile.hpp"
 #include "uhas/profile_io/write_profile.hpp"
@@ -26,5 +26,25 @@ TEST_CASE("stored settings rebuild the profile") {
 }
 
 TEST_CASE("a config of all that was inferred rebuilds the profile") {
-  test::check_rebuild_from_config(test::real_hand().urdf.string());
+  BuildSettings settings;
+  const BuildStages& stages = test::real_stages();
+  const HandProfile& inferred = test::real_profile();
+
+  settings.config = parse_hand_config(to_canonical_json(complete_config(stages, settings)), "hand.json");
+  HandProfile stated = build_profile(test::real_hand().urdf.string(), settings);
+  for (const Finding& finding : stated.findings) {
+    CAPTURE(finding.item);
+    CHECK(finding.confidence == 1);
+    CHECK(finding.reason == "stated in the hand config");
+  }
+  stated.findings = inferred.findings;
+  stated.warnings = inferred.warnings;
+  stated.settings_json = inferred.settings_json;
+  CHECK(stated.tree == inferred.tree);
+  CHECK(stated.joint_traits == inferred.joint_traits);
+  CHECK(stated.T_palm_sphere == inferred.T_palm_sphere);
+  CHECK(stated.fingers == inferred.fingers);
+  CHECK(stated.lateral_tables == inferred.lateral_tables);
+  CHECK(stated.correspondences == inferred.correspondences);
+  CHECK(stated == inferred);
 }

@@ -19,6 +19,7 @@ enum class ErrorCode : int {
   invalid_action = 9,       ///< actions of the wrong form, length or value
   limit_exceeded = 10,      ///< larger than a stated bound
   write_failed = 11,        ///< disk full, read-only folder, failed rename
+  invalid_option = 12,      ///< an option out of its range
 };
 
 /// The one exception type of the library. `what()` reads `file: problem; remedy`, ready to follow `tool: error: `.
@@ -41,7 +42,8 @@ enum class Status : int {
   non_finite_input = 1,         ///< NaN or infinity in the input; the output is untouched
   wrong_size = 2,               ///< a span of the wrong length; the output is untouched
   invalid_driving_vectors = 3,  ///< driving-vector angles not strictly increasing in (0, pi); the output is untouched
-  unknown_hand = 4,             ///< a batch row for a hand that the solver does not have; the output is untouched
+  invalid_period = 4,           ///< a control period that is not a positive finite number; the output is untouched
+  unknown_hand = 5,             ///< a batch row for a hand that the solver does not have; the output is untouched
 };
 
 /// A short English sentence for `status`; never null.

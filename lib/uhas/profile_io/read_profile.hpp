@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "uhas/base/errors.hpp"
 #include "uhas/profile/hand_profile.hpp"
 
 namespace uhas {

@@ -12,8 +12,10 @@
 #include "support/random_action.hpp"
 #include "support/small_profile.hpp"
 #include "uhas/runtime/batch_solver.hpp"
+#include "uhas/runtime/fingertip_kinematics.hpp"
 #include "uhas/runtime/observation.hpp"
 #include "uhas/runtime/retarget.hpp"
+#include "uhas/runtime/sphere_controller.hpp"
 
 // the sanitizers bring a malloc of their own
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
@@ -133,6 +135,26 @@ TEST_CASE("10,000 observations allocate nothing") {
   CHECK(refused == 5000);
 }
 
+TEST_CASE("10,000 forward kinematics allocate nothing") {
+  const FingertipKinematics<float> kinematics(test::small_profile());
+  std::vector<float> q(20 * kinematics.joint_count(), 0.1f), fingertips(20 * 3 * kinematics.finger_count());
+  std::vector<float> not_finite = q;
+  not_finite.front() = std::numeric_limits<float>::quiet_NaN();
+  const std::span one_q(q.data(), kinematics.joint_count()), one(fingertips.data(), 3 * kinematics.finger_count());
+  int refused = 0;
+  allocations = 0;
+  counting = true;
+  for (int n = 0; n < 2500; ++n) {
+    refused += kinematics.fingertips(one_q, one) != Status::ok;
+    refused += kinematics.fingertips(q, one) != Status::ok;
+    refused += kinematics.fingertips_batch(q, fingertips) != Status::ok;
+    refused += kinematics.fingertips_batch(not_finite, fingertips) != Status::ok;
+  }
+  counting = false;
+  CHECK(allocations == 0);
+  CHECK(refused == 5000);
+}
+
 TEST_CASE("encoding and retargeting allocate nothing") {
   const HandProfile profile = test::small_profile();
   Retargeter<double> retargeter(profile, profile);
@@ -154,6 +176,26 @@ TEST_CASE("encoding and retargeting allocate nothing") {
   counting = false;
   CHECK(allocations == 0);
   CHECK(refused == 21);
+}
+
+TEST_CASE("10,000 control periods allocate nothing") {
+  SphereController<double> controller(test::small_profile(), {.range_scale = 0.9, .time_constant = 0.1});
+  std::mt19937_64 random(7);
+  std::vector<std::vector<double>> actions;
+  for (int n = 0; n < 100; ++n) actions.push_back(test::random_action(random, 1, 3));
+  actions[3][2] = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> targets(controller.joint_count());
+  int refused = 0;
+  allocations = 0;
+  counting = true;
+  for (int n = 0; n < 10000; ++n) {
+    if (n % 1000 == 0) refused += controller.reset(targets, targets) != Status::ok;
+    refused += controller.update({.values = actions[n % 100], .driving_vectors_phi = {}}, n % 100 == 4 ? 0 : 0.01,
+                                 targets) != Status::ok;
+  }
+  counting = false;
+  CHECK(allocations == 0);
+  CHECK(refused == 200);
 }
 
 #endif

@@ -1,0 +1,41 @@
+# What `cmake --install` puts where. Everything finds its neighbours by relative paths: the folder may be moved afterwards.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(UHAS_CONFIG_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/uhas)
+set(UHAS_DATA_FOLDER ${CMAKE_INSTALL_DATADIR}/uhas)
+
+file(RELATIVE_PATH libraries_from_tools /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR})
+set(CMAKE_INSTALL_RPATH $ORIGIN $ORIGIN/${libraries_from_tools})
+
+# uhas_install_library(<component> <room>...): the library uhas_<component> and the public headers of its rooms.
+function(uhas_install_library component)
+  install(TARGETS uhas_${component} EXPORT uhas-${component} INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  install(EXPORT uhas-${component} NAMESPACE uhas:: DESTINATION ${UHAS_CONFIG_FOLDER})
+  foreach(room ${ARGN})
+    install(DIRECTORY uhas/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/uhas
+      FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp" PATTERN "*_detail.hpp" EXCLUDE)
+  endforeach()
+endfunction()
+
+# for find_package(uhas) and pkg-config
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/uhas-config.cmake.in ${PROJECT_BINARY_DIR}/uhas-config.cmake
+  INSTALL_DESTINATION ${UHAS_CONFIG_FOLDER} NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/uhas-config-version.cmake COMPATIBILITY SameMajorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/uhas-config.cmake ${PROJECT_BINARY_DIR}/uhas-config-version.cmake
+  DESTINATION ${UHAS_CONFIG_FOLDER})
+
+string(REGEX REPLACE "[^/]+" ".." prefix_from_pc ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+if(NOT BUILD_SHARED_LIBS)
+  set(pc_static "Requires.private: hdf5\nLibs.private: -lstdc++ -lm -pthread\n")
+endif()
+configure_file(${CMAKE_CURRENT_LIST_DIR}/uhas.pc.in ${PROJECT_BINARY_DIR}/uhas.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/uhas.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN quickstart.sh EXCLUDE)
+install(DIRECTORY schemas DESTINATION ${UHAS_DATA_FOLDER})
+if(UHAS_BUILD_PREPROCESS)
+  install(DIRECTORY man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+  install(DIRECTORY hands DESTINATION ${UHAS_DATA_FOLDER} PATTERN tools EXCLUDE)
+endif()

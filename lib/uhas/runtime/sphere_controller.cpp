@@ -1,0 +1,115 @@
+#include "uhas/runtime/sphere_controller.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace uhas {
+namespace {
+
+void require_option(bool holds, const char* option, double value, const char* remedy) {
+  if (!holds) throw Error(ErrorCode::invalid_option, "", option + (" is " + std::to_string(value)), remedy);
+}
+
+/// The largest speed of each independent joint: its own, or less where a follower would exceed its own.
+std::vector<double> group_velocities(const KinematicTree& tree, double scale) {
+  std::vector<double> velocities(tree.joints.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < tree.joints.size(); ++i) {
+    const Joint& joint = tree.joints[i];
+    const double multiplier = joint.mimic_master < 0 ? 1 : std::abs(joint.mimic_multiplier);
+    if (joint.velocity_limit <= 0 || multiplier <= 0) continue;
+    double& velocity = velocities[joint.mimic_master < 0 ? i : joint.mimic_master];
+    velocity = std::min(velocity, scale * joint.velocity_limit / multiplier);
+  }
+  return velocities;
+}
+
+}  // namespace
+
+template <class Real>
+SphereController<Real>::SphereController(const HandProfile& profile, const SphereControllerOptions& options)
+    : solver_(profile, options.solve), time_constant_(Real(options.time_constant)), goal_(solver_.joint_count()) {
+  const auto finite = [](double value) { return std::isfinite(value); };
+  require_option(finite(options.velocity_scale) && options.velocity_scale > 0, "velocity_scale", options.velocity_scale,
+                 "choose a number above 0");
+  require_option(options.range_scale > 0 && options.range_scale <= 1, "range_scale", options.range_scale,
+                 "choose a number above 0, at most 1");
+  require_option(finite(options.time_constant) && options.time_constant >= 0, "time_constant", options.time_constant,
+                 "choose a number of seconds, 0 for no smoothing");
+
+  const std::vector<double> velocities = group_velocities(profile.tree, options.velocity_scale);
+  Motions motions;
+  for (std::size_t i = 0; i < profile.tree.joints.size(); ++i) {
+    const Joint& joint = profile.tree.joints[i];
+    const double middle = (joint.lower + joint.upper) / 2,
+                 reach = options.range_scale * (joint.upper - joint.lower) / 2;
+    motions.push_back({.lower = Real(joint.lower),
+                       .upper = Real(joint.upper),
+                       .goal_lower = Real(middle - reach),
+                       .goal_upper = Real(middle + reach),
+                       .velocity = Real(velocities[i]),
+                       .master = joint.mimic_master,
+                       .multiplier = Real(joint.mimic_multiplier),
+                       .offset = Real(joint.mimic_offset)});
+  }
+  motions_ = std::make_shared<const Motions>(std::move(motions));
+}
+
+template <class Real>
+int SphereController<Real>::joint_count() const noexcept {
+  return solver_.joint_count();
+}
+
+template <class Real>
+Status SphereController<Real>::reset(std::span<const Real> q, std::span<Real> targets) const noexcept {
+  const Motions& motions = *motions_;
+  if (q.size() != motions.size() || targets.size() != motions.size()) return Status::wrong_size;
+  if (!is_finite(q)) return Status::non_finite_input;
+  for (std::size_t i = 0; i < motions.size(); ++i)
+    if (motions[i].master < 0) targets[i] = std::clamp(q[i], motions[i].lower, motions[i].upper);
+  follow(targets);
+  return Status::ok;
+}
+
+template <class Real>
+Status SphereController<Real>::update(const Action<Real>& action, Real dt, std::span<Real> targets) noexcept {
+  const Motions& motions = *motions_;
+  if (targets.size() != motions.size()) return Status::wrong_size;
+  if (!std::isfinite(dt) || dt <= 0) return Status::invalid_period;
+  if (!is_finite(targets)) return Status::non_finite_input;
+  if (const Status status = solver_.solve(action, goal_); status != Status::ok) return status;
+
+  const Real share = time_constant_ > 0 ? -std::expm1(-dt / time_constant_) : Real(1);
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const Motion& motion = motions[i];
+    if (motion.master >= 0) continue;
+    const Real from = std::clamp(targets[i], motion.lower, motion.upper);
+    const Real step = share * (std::clamp(goal_[i], motion.goal_lower, motion.goal_upper) - from);
+    const Real longest = motion.velocity * dt;
+    targets[i] = std::clamp(from + std::clamp(step, -longest, longest), motion.lower, motion.upper);
+  }
+  follow(targets);
+  return Status::ok;
+}
+
+template <class Real>
+bool SphereController<Real>::is_finite(std::span<const Real> q) const noexcept {
+  for (std::size_t i = 0; i < q.size(); ++i)
+    if ((*motions_)[i].master < 0 && !std::isfinite(q[i])) return false;
+  return true;
+}
+
+// followers stand where their masters put them
+template <class Real>
+void SphereController<Real>::follow(std::span<Real> targets) const noexcept {
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    const Motion& motion = (*motions_)[i];
+    if (motion.master >= 0) targets[i] = motion.multiplier * targets[motion.master] + motion.offset;
+  }
+}
+
+template class SphereController<float>;
+template class SphereController<double>;
+
+}  // namespace uhas

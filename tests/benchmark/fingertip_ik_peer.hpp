@@ -1,0 +1,28 @@
+// The best numerical fingertip inverse kinematics we can write: damped least squares, finger by finger, with limits,
+// from the last answer. It places the tips and nothing else.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "peer_jacobian.hpp"
+
+namespace uhas::benchmark {
+
+class FingertipIkPeer {
+ public:
+  explicit FingertipIkPeer(const HandProfile& profile);
+
+  /// Turns each finger within its limits so that its tip comes to the target, to 0.1 mm, or as near as 50 steps take
+  /// it.
+  /// @param targets  [fingers][3] m, palm frame
+  /// @param q        [joints] in the profile's order: the last answer in, the answer out. Followers are neither read
+  /// nor
+  ///                 written.
+  void reach(std::span<const double> targets, std::span<double> q) const;
+
+ private:
+  std::vector<PeerFinger> fingers_;
+};
+
+}  // namespace uhas::benchmark

@@ -1,0 +1,88 @@
+#include "report.hpp"
+
+namespace uhas::benchmark {
+namespace {
+
+using tools::Json;
+
+Json to_json(const Summary& summary) {
+  return {{"median_ns", summary.median}, {"p99_ns", summary.p99}, {"worst_ns", summary.worst}};
+}
+
+Json to_json(const Tail& tail) { return {{"call", to_json(tail.call)}, {"clock", to_json(tail.clock)}}; }
+
+Json to_json(const Machine& machine) {
+  return {{"processor", machine.processor},
+          {"processors", machine.processors},
+          {"instruction_set", machine.instruction_set},
+          {"compiler", machine.compiler},
+          {"build_type", machine.build_type}};
+}
+
+Json to_json(const HandMeasurement& hand) {
+  Json works = Json::array(), peers = Json::array(), sizes = Json::array();
+  for (const Measured& measured : hand.works) {
+    Json work = {{"work", measured.work}, {"hands_in_a_sample", measured.hands}};
+    work.update(to_json(measured.summary));
+    works.push_back(work);
+  }
+  for (const PeerAnswers& peer : hand.peers)
+    peers.push_back({{"peer", peer.peer}, {"reached", peer.reached}, {"within_limits", peer.within_limits}});
+  for (const ObjectSize& object : hand.sizes)
+    sizes.push_back({{"object", object.object}, {"sizeof", object.size_of}, {"heap_bytes", object.heap}});
+  return {{"hand", hand.hand},
+          {"fingers", hand.fingers},
+          {"joints", hand.joints},
+          {"independent_joints", hand.independent_joints},
+          {"stored_points", hand.stored_points},
+          {"solver_points", hand.solver_points},
+          {"works", works},
+          {"peers", peers},
+          {"single_solves", {{"gentle", to_json(hand.gentle_tail)}, {"any", to_json(hand.any_tail)}}},
+          {"sizes", sizes}};
+}
+
+Json to_json(const PointGrowth& growth) {
+  Json rows = Json::array();
+  for (const PointGrowth::Row& row : growth.rows)
+    rows.push_back(
+        {{"stored_points", row.stored_points}, {"solver_points", row.solver_points}, {"solve", to_json(row.solve)}});
+  return {{"hand", growth.hand}, {"profiles", rows}};
+}
+
+Json to_json(const Judgement& judgement) {
+  constexpr const char* words[] = {"aim", "must", "missed"};
+  return {{"requirement", judgement.requirement},
+          {"bound", judgement.at_most ? "at most" : "at least"},
+          {"must", judgement.must},
+          {"aim", judgement.aim},
+          {"value", judgement.value},
+          {"hand", judgement.hand},
+          {"meets", words[int(judgement.verdict())]}};
+}
+
+template <class Items>
+Json to_list(const Items& items) {
+  Json list = Json::array();
+  for (const auto& item : items) list.push_back(to_json(item));
+  return list;
+}
+
+}  // namespace
+
+Json to_json(const RuntimeReport& report) {
+  Json document = tools::new_document("uhas-runtime-benchmark");
+  document["machine"] = to_json(report.machine);
+  document["load_average"] = {{"before", report.load_before}, {"after", report.load_after}};
+  document["settings"] = {{"seed", report.seed},
+                          {"rounds", report.settings.rounds},
+                          {"single_solves", report.settings.tail_calls},
+                          {"runs_of_single_solves", report.settings.tail_runs},
+                          {"batch", report.settings.batch}};
+  document["hands"] = to_list(report.hands);
+  document["point_growth"] = to_json(report.growth);
+  document["requirements"] = to_list(report.judgements);
+  return document;
+}
+
+}  // namespace uhas::benchmark

@@ -1,0 +1,154 @@
+#include "runtime_works.hpp"
+
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include "uhas/runtime/cascade_solver.hpp"
+#include "uhas/runtime/encoder.hpp"
+#include "uhas/runtime/fingertip_kinematics.hpp"
+#include "uhas/runtime/observation.hpp"
+
+namespace uhas::benchmark {
+namespace {
+
+constexpr std::size_t kSingles = 50;  // single calls in a sample: long against the clock, short against a time slice
+
+/// Rows of numbers that works walk through, sample after sample, from the first again at the end.
+template <class Real>
+class Rows {
+ public:
+  Rows(const std::vector<double>& numbers, std::size_t count)
+      : numbers_(numbers.begin(), numbers.end()), count_(count) {}
+
+  std::size_t width() const { return numbers_.size() / count_; }
+  std::span<const Real> operator[](std::size_t row) const {
+    return std::span(numbers_).subspan(row % count_ * width(), width());
+  }
+  /// [rows][width()], the rows repeated as often as it takes.
+  std::vector<Real> repeated(std::size_t rows) const {
+    std::vector<Real> out;
+    for (std::size_t n = 0; n < rows; ++n) out.insert(out.end(), (*this)[n].begin(), (*this)[n].end());
+    return out;
+  }
+
+ private:
+  std::vector<Real> numbers_;
+  std::size_t count_;
+};
+
+/// `hands` calls a sample, each on the next row.
+template <class Call>
+Work singles(std::string name, std::size_t hands, Call call) {
+  return {std::move(name), hands, [hands, call = std::move(call)](std::size_t sample) mutable {
+            for (std::size_t n = 0; n < hands; ++n) call(sample * hands + n);
+          }};
+}
+
+template <class Real>
+void add_fingertips(std::vector<Work>& works, const std::string& type, const HandCase& hand, std::size_t batch) {
+  const FingertipKinematics<Real> kinematics(hand.profile);
+  const Rows<Real> q(hand.trajectory.q, hand.count);
+  const std::size_t numbers = 3 * hand.fingers();
+  works.push_back(
+      singles("fingertips, " + type, kSingles,
+              [=, out = std::vector<Real>(numbers)](std::size_t row) mutable { kinematics.fingertips(q[row], out); }));
+  works.push_back({"fingertips, batch, " + type, batch,
+                   [=, many = q.repeated(batch), out = std::vector<Real>(batch * numbers)](std::size_t) mutable {
+                     kinematics.fingertips_batch(many, out);
+                   }});
+}
+
+void add_observations(std::vector<Work>& works, const HandCase& hand, std::size_t batch) {
+  const Observer<float> observer(hand.profile);
+  const Rows<float> q(hand.trajectory.q, hand.count), qd(hand.rates, hand.count);
+  const std::size_t size = observer.size();
+  works.push_back(singles("observe, float", kSingles,
+                          [=, observer = observer, out = std::vector<float>(size)](std::size_t row) mutable {
+                            observer.observe(q[row], qd[row], out);
+                          }));
+  works.push_back({"observe, batch, float", batch,
+                   [observer = observer, many = q.repeated(batch), many_rates = qd.repeated(batch),
+                    out = std::vector<float>(batch * size)](std::size_t) mutable {
+                     observer.observe_batch(many, many_rates, out);
+                   }});
+}
+
+void add_encoding(std::vector<Work>& works, const HandCase& hand) {
+  const Rows<double> q(hand.gentle.q, hand.count);
+  works.push_back(
+      singles("encode, double", 5,
+              [=, encoder = Encoder<double>(hand.profile), out = std::vector<double>(15)](std::size_t row) mutable {
+                EncodeReport report;
+                encoder.encode(q[row], out, report);
+              }));
+}
+
+}  // namespace
+
+template <class Real>
+Work solve_work(std::string name, const HandProfile& profile, const std::vector<double>& actions, int passes) {
+  constexpr std::size_t numbers = 15;
+  CascadeSolver<Real> solver(profile, {.passes = passes});
+  std::vector<Real> q(solver.joint_count());
+  return singles(std::move(name), kSingles,
+                 [rows = Rows<Real>(actions, actions.size() / numbers), solver, q](std::size_t row) mutable {
+                   solver.solve({.values = rows[row], .driving_vectors_phi = {}}, q);
+                 });
+}
+
+template Work solve_work<float>(std::string, const HandProfile&, const std::vector<double>&, int);
+template Work solve_work<double>(std::string, const HandProfile&, const std::vector<double>&, int);
+
+std::vector<Work> runtime_works(const HandCase& hand, std::size_t batch) {
+  std::vector<Work> works;
+  const std::pair<const char*, const ActionSet*> sets[] = {{"gentle", &hand.gentle}, {"any", &hand.any}};
+  for (const auto& [name, set] : sets) {
+    const std::string solve = std::string("solve, ") + name;
+    works.push_back(solve_work<double>(solve + ", double", hand.profile, set->actions));
+    works.push_back(solve_work<float>(solve + ", float", hand.profile, set->actions));
+    works.push_back(solve_work<double>(solve + ", double, 3 passes", hand.profile, set->actions, 3));
+  }
+  works.push_back(solve_work<double>("solve, trajectory, double", hand.profile, hand.trajectory.actions));
+  add_fingertips<double>(works, "double", hand, batch);
+  add_fingertips<float>(works, "float", hand, batch);
+  add_observations(works, hand, batch);
+  add_encoding(works, hand);
+  return works;
+}
+
+Peers::Peers(const HandCase& hand)
+    : kdl(hand),
+      slsqp(hand.profile, kSlsqpToTarget),
+      slsqp_as_shipped(hand.profile, kSlsqpAsShipped),
+      fingertip_ik(hand.profile),
+      q_lma(hand.trajectory.q.begin(), hand.trajectory.q.begin() + hand.joints()),
+      q_slsqp(q_lma),
+      q_slsqp_as_shipped(q_lma),
+      q_fingertip_ik(q_lma) {
+  std::vector<double> tips(3 * hand.fingers());
+  kdl.fingertips(q_lma, tips);
+  for (std::size_t i = 0; i < tips.size(); ++i)
+    if (std::abs(tips[i] - hand.trajectory.fingertips[i]) > 1e-9)
+      throw std::runtime_error("KDL and uhas disagree on the fingertips of " + hand.profile.hand);
+}
+
+std::vector<Work> peer_works(const HandCase& hand, Peers& peers) {
+  const auto targets = std::make_shared<const Rows<double>>(hand.trajectory.fingertips, hand.count);
+  const auto q = std::make_shared<const Rows<double>>(hand.trajectory.q, hand.count);
+  std::vector<double> out(3 * hand.fingers());
+  return {
+      singles("KDL, fingertips", kSingles,
+              [=, &peers](std::size_t row) mutable { peers.kdl.fingertips((*q)[row], out); }),
+      singles("KDL, LMA", 5, [=, &peers](std::size_t row) { peers.kdl.reach((*targets)[row], peers.q_lma); }),
+      singles("NLopt, SLSQP", 1, [=, &peers](std::size_t row) { peers.slsqp.reach((*targets)[row], peers.q_slsqp); }),
+      singles(
+          "NLopt, SLSQP, as shipped", 1,
+          [=, &peers](std::size_t row) { peers.slsqp_as_shipped.reach((*targets)[row], peers.q_slsqp_as_shipped); }),
+      singles("damped least squares", 25,
+              [=, &peers](std::size_t row) { peers.fingertip_ik.reach((*targets)[row], peers.q_fingertip_ik); }),
+  };
+}
+
+}  // namespace uhas::benchmark

@@ -1,0 +1,131 @@
+#!/usr/bin/env python3
+"""Installs a build into an empty folder, moves that folder, and uses what is there as a user would.
+
+    check_install.py build/dev
+    check_install.py build/runtime-only --profile hand.h5
+
+Public headers compile one by one and need nothing that is not installed; the examples build against the package and run;
+pkg-config leads to the same library; uhas::preprocess is found where it was built and refused with a reason where not.
+A build without tools cannot make a hand profile: --profile gives it one.
+"""
+
+import argparse
+import os
+import pathlib
+import re
+import shlex
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Werror"]
+
+
+class Failure(Exception):
+    pass
+
+
+def run(*command, **options):
+    """stdout of a command; Failure with all it said unless it succeeds."""
+    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, **options)
+    if done.returncode != 0:
+        raise Failure(f"{' '.join(map(str, command))}\nexits with {done.returncode}\n{done.stdout}{done.stderr}")
+    return done.stdout
+
+
+class Installation:
+    """The package in `prefix`; `scratch` is for what its user builds."""
+
+    def __init__(self, build, scratch, profile):
+        self.prefix, self.scratch, self.profile = scratch / "moved", scratch, profile
+        run("cmake", "--install", build, "--prefix", scratch / "first")
+        os.rename(scratch / "first", self.prefix)
+        self.library = next(self.prefix.glob("lib*/**/libuhas.so")).parent
+        self.has_preprocess = (self.prefix / "bin").exists()
+
+    def make_profile(self):
+        hand = self.prefix / "share/uhas/hands/allegro_right/allegro_right.urdf"
+        self.profile = self.scratch / "allegro_right.h5"
+        run(self.prefix / "bin/uhas-build-profile", "--quiet", hand, "-o", self.profile)
+
+    def build(self, source, build):
+        warnings = " ".join(WARNINGS)
+        run("cmake", "-S", source, "-B", build, f"-DCMAKE_PREFIX_PATH={self.prefix}", f"-DCMAKE_CXX_FLAGS={warnings}",
+            f"-DCMAKE_C_FLAGS={warnings}")
+        run("cmake", "--build", build, "--parallel", 2)
+
+    def check_headers(self):
+        """Each alone, so that none leans on what another includes."""
+        include = self.prefix / "include"
+        headers = sorted(path.relative_to(include) for path in include.rglob("*.h*"))
+        if not headers or any("_detail" in path.name for path in headers):
+            raise Failure(f"public headers: {headers}")
+        source = self.scratch / "header.cpp"
+        for header in headers:
+            source.write_text(f'#include "{header}"\n')
+            run("c++", "-std=c++20", *WARNINGS, "-fsyntax-only", f"-I{include}", source)
+
+    def check_soname(self):
+        major = re.search(r"Version: (\d+)", (self.library / "pkgconfig/uhas.pc").read_text())[1]
+        dynamic = run("readelf", "-d", self.library / "libuhas.so")
+        if f"soname: [libuhas.so.{major}]" not in dynamic:
+            raise Failure(dynamic)
+
+    def check_examples(self):
+        """Every numbered source builds, runs and prints."""
+        source, build = self.prefix / "share/doc/uhas/examples", self.scratch / "examples"
+        self.build(source, build)
+        for example in sorted(source.glob("[0-9]*")):
+            profiles = [self.profile] * (2 if "retarget" in example.name else 1)
+            if not run(build / example.stem, *profiles):
+                raise Failure(f"{example.name} printed nothing")
+
+    def check_pkg_config(self):
+        environment = dict(os.environ, PKG_CONFIG_PATH=str(self.library / "pkgconfig"))
+        flags = shlex.split(run("pkg-config", "--cflags", "--libs", "uhas", env=environment))
+        program = self.scratch / "solve"
+        run("c++", "-std=c++20", self.prefix / "share/doc/uhas/examples/02_solve.cpp", *flags, "-o", program)
+        run(program, self.profile, env=dict(os.environ, LD_LIBRARY_PATH=str(self.library)))
+
+    def check_preprocess(self):
+        build = self.scratch / "preprocess"
+        self.build(HERE / "preprocess", build)
+        hand = self.prefix / "share/uhas/hands/allegro_right/allegro_right.urdf"
+        if run(build / "build_and_solve", hand) != "16 joints\n":
+            raise Failure("build_and_solve does not count 16 joints")
+
+    def check_preprocess_refused(self):
+        done = subprocess.run(["cmake", "-S", HERE / "preprocess", "-B", self.scratch / "preprocess",
+                               f"-DCMAKE_PREFIX_PATH={self.prefix}"], capture_output=True, text=True)
+        if done.returncode == 0 or "built without preprocessing" not in done.stderr:
+            raise Failure(f"uhas::preprocess is not refused:\n{done.stdout}{done.stderr}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build", type=pathlib.Path, help="a build folder, built")
+    parser.add_argument("--profile", type=pathlib.Path, help="the hand profile that the examples load")
+    options = parser.parse_args()
+
+    with tempfile.TemporaryDirectory(prefix="uhas install ") as folder:  # a space: paths must be quoted everywhere
+        package = Installation(options.build, pathlib.Path(folder), options.profile)
+        checks = [package.check_headers, package.check_soname, package.check_examples, package.check_pkg_config]
+        if package.has_preprocess:
+            checks = [package.make_profile, *checks, package.check_preprocess]
+        else:
+            checks.append(package.check_preprocess_refused)
+        failed = 0
+        for check in checks:
+            try:
+                check()
+                print(f"ok      {check.__name__}")
+            except Failure as failure:
+                failed += 1
+                print(f"FAILED  {check.__name__}: {failure}")
+    print(f"{len(checks)} checks, {failed} failed")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

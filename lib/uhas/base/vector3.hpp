@@ -78,11 +78,14 @@ struct Rotation {
             R.m[6] * a.x + R.m[7] * a.y + R.m[8] * a.z};
   }
   friend constexpr Rotation operator*(const Rotation& A, const Rotation& B) {
-    Rotation C;
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        C.m[3 * i + j] = A.m[3 * i] * B.m[j] + A.m[3 * i + 1] * B.m[3 + j] + A.m[3 * i + 2] * B.m[6 + j];
-    return C;
+    const auto& a = A.m;
+    const auto& b = B.m;
+    return {{a[0] * b[0] + a[1] * b[3] + a[2] * b[6], a[0] * b[1] + a[1] * b[4] + a[2] * b[7],
+             a[0] * b[2] + a[1] * b[5] + a[2] * b[8],  //
+             a[3] * b[0] + a[4] * b[3] + a[5] * b[6], a[3] * b[1] + a[4] * b[4] + a[5] * b[7],
+             a[3] * b[2] + a[4] * b[5] + a[5] * b[8],  //
+             a[6] * b[0] + a[7] * b[3] + a[8] * b[6], a[6] * b[1] + a[7] * b[4] + a[8] * b[7],
+             a[6] * b[2] + a[7] * b[5] + a[8] * b[8]}};
   }
   friend constexpr bool operator==(const Rotation& A, const Rotation& B) = default;
 

@@ -72,8 +72,10 @@ class ActionDecoder {
     const int vectors = action.vectors;
     for (std::size_t f = 0; f < owners_.size(); ++f) {
       const Owner& owner = owners_[f];
-      PlaneDeformation<Num> plane;
+      PlaneDeformation<Num>& plane = planes[f];
       plane.vectors = vectors;
+      plane.delta_theta = Num(0);
+      for (int j = 0; j < vectors; ++j) plane.delta_r[j] = plane.phi[j] = Num(0);
       plane.common_angles = action.angles == 0 || action.common_phi;
       int shared = 0;
       for (int slot = 0; slot < kSlotCount; ++slot) {
@@ -93,7 +95,6 @@ class ActionDecoder {
         plane.phi[j] = action.angles == 0 ? Num(default_phi_[vectors - 1][j]) : plane.phi[j] * share;
       }
       plane.find_slopes();
-      planes[f] = plane;
     }
   }
 

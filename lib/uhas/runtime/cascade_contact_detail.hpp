@@ -25,7 +25,7 @@ Vector3<Num> Cascade<Num, Wide>::node_in_frame(const Model& model, const Contact
 template <class Real>
 Real gap_to_profile(const PlaneDeformation<Real>& plane, Vector3<Real> p) {
   const Real phi = atan2(sqrt(p.x * p.x + p.y * p.y), -p.z);
-  return norm(p) - std::max(Real(1) + plane.radial(phi).delta_r, Real(0));
+  return norm(p) - std::max(Real(1) + plane.at(phi).delta_r, Real(0));
 }
 
 // turn from open until the node meets the profile of its finger's plane
@@ -37,7 +37,7 @@ Num Cascade<Num, Wide>::contact_single(const Model& model, const SolverStep& ste
   const PlaneDeformation<Num>& plane = plane_of(model, node.finger);
   const Circle<Num> circle =
       Circle<Num>::about(F.rotation.column(2), F.translation, F * node_in_frame(model, node, step.joint));
-  const bool undeformed = std::all_of(plane.delta_r.begin(), plane.delta_r.end(), [](Real d) { return d == Real(0); });
+  const bool undeformed = std::all_of(plane.delta_r.begin(), plane.delta_r.begin() + plane.vectors, [](Real d) { return d == Real(0); });
   if (undeformed) return first_contact_with_sphere(circle, joint.travel);
   return first_contact_by_scan<Num>([&](Num t) { return gap_to_profile(plane, circle.at(t)); }, joint.travel);
 }

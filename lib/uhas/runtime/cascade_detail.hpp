@@ -66,8 +66,9 @@ class Cascade {
 
   const PlaneDeformation<Num>& plane_of(const Model& model, int finger) const noexcept;
   void average_planes(const Model& model) noexcept;
-  void begin_joints(const Model& model) noexcept;
-  void sum_targets(const Model& model) noexcept;
+  void begin_joints(const Model& model, const SolverPart& part) noexcept;
+  void sum_targets(const Model& model, const SolverPart& part) noexcept;
+  void sum_points(const Model& model) noexcept;
   Target target_of(const Model& model, const SolverPoint<Real>& point) const noexcept;
 
   void set_unknown(const Model& model, const SolverStep& step, const JointValue<Num>& value) noexcept;
@@ -75,9 +76,9 @@ class Cascade {
   void move_frames(const Model& model, std::span<const ScopedJoint> scope) noexcept;
   RigidTransform<Num> frame_before_motion(const Model& model, int joint) const noexcept;
 
-  void sweep(const Model& model, Num decay) noexcept;
+  void sweep(const Model& model, const SolverPart& part, Num decay) noexcept;
   void solve_step(const Model& model, const SolverStep& step, const RigidTransform<Num>& F, Num decay) noexcept;
-  void close_faded(const Model& model) noexcept;
+  void close_faded(const Model& model, const SolverPart& part) noexcept;
 
   Fit fit_single(const Model& model, int joint, const RigidTransform<Num>& F) const noexcept;
   Fit fit_group(const Model& model, const SolverStep& step, Num decay) noexcept;

@@ -23,11 +23,16 @@ Cascade<Num, Wide>::Cascade(const Model& model)
 
 template <class Num, class Wide>
 void Cascade<Num, Wide>::run(const Model& model) noexcept {
-  if (model.options.field == FieldReading::field) average_planes(model);
-  begin_joints(model);
-  sum_targets(model);
-  for (Real decay : model.decays) sweep(model, Num(decay));
-  close_faded(model);
+  const bool field = model.options.field == FieldReading::field;
+  if constexpr (LaneTraits<Num>::width == 1) {
+    if (field) average_planes(model), sum_points(model);
+  }
+  for (const SolverPart& part : model.parts) {
+    begin_joints(model, part);
+    if (!field) sum_targets(model, part);
+    for (Real decay : model.decays) sweep(model, part, Num(decay));
+    close_faded(model, part);
+  }
 }
 
 // the plane that a finger's lateral joint and its contacts follow
@@ -39,10 +44,12 @@ const PlaneDeformation<Num>& Cascade<Num, Wide>::plane_of(const Model& model, in
 template <class Num, class Wide>
 void Cascade<Num, Wide>::average_planes(const Model& model) noexcept {
   for (std::size_t g = 0; g < group_planes_.size(); ++g) {
-    PlaneDeformation<Num> mean;
+    PlaneDeformation<Num>& mean = group_planes_[g];
+    mean.vectors = planes.front().vectors;
+    mean.delta_theta = Num(0);
+    for (int j = 0; j < mean.vectors; ++j) mean.phi[j] = mean.delta_r[j] = Num(0);
     const Num share(Real(1) / Real(model.plane_groups[g].size()));
     for (int finger : model.plane_groups[g]) {
-      mean.vectors = planes[finger].vectors;
       mean.delta_theta += share * planes[finger].delta_theta;
       for (int j = 0; j < mean.vectors; ++j) {
         mean.phi[j] += share * planes[finger].phi[j];
@@ -50,7 +57,6 @@ void Cascade<Num, Wide>::average_planes(const Model& model) noexcept {
       }
     }
     mean.find_slopes();
-    group_planes_[g] = mean;
   }
 }
 
@@ -65,12 +71,14 @@ void Cascade<Num, Wide>::set_unknown(const Model& model, const SolverStep& step,
 
 // joint values before the cascade: lateral joints by table, all others where the rule starts from
 template <class Num, class Wide>
-void Cascade<Num, Wide>::begin_joints(const Model& model) noexcept {
-  for (std::size_t i = 0; i < joints_.size(); ++i) {
-    joints_[i].value = model.joints[i].start.template cast<Num>();
-    joints_[i].at_limit = joints_[i].closed = Mask(false);
+void Cascade<Num, Wide>::begin_joints(const Model& model, const SolverPart& part) noexcept {
+  for (const ScopedJoint& s : part.tree) {
+    JointState& state = joints_[s.joint];
+    state.value = model.joints[s.joint].start.template cast<Num>();
+    state.at_limit = state.closed = Mask(false);
   }
-  for (const SolverLateral<Real>& lateral : model.laterals) {
+  for (int k : part.laterals) {
+    const SolverLateral<Real>& lateral = model.laterals[k];
     const Num& delta_theta = plane_of(model, lateral.finger).delta_theta;
     Num value;
     for (int l = 0; l < LaneTraits<Num>::width; ++l)
@@ -78,7 +86,7 @@ void Cascade<Num, Wide>::begin_joints(const Model& model) noexcept {
     JointState& state = joints_[lateral.joint];
     if (any(value != state.value.q)) state.value = model.joints[lateral.joint].value(value);
   }
-  for (int i : model.lateral_followers) {
+  for (int i : part.lateral_followers) {
     const SolverJoint<Real>& joint = model.joints[i];
     joints_[i].value = joint.value(Num(joint.multiplier) * joints_[joint.master].value.q + Num(joint.offset));
   }
@@ -93,35 +101,41 @@ typename Cascade<Num, Wide>::Target Cascade<Num, Wide>::target_of(const Model& m
   const PlaneDeformation<Num>& after = field ? group_planes_[point.plane_after] : before;
   const auto between = [&](Num a, Num b) { return field ? a + point.blend * (b - a) : a; };
   const Num past_first = max(point.phi, between(before.phi[0], after.phi[0]));
-  const typename PlaneDeformation<Num>::Radial radial{
-      between(before.radial(point.phi).delta_r, after.radial(point.phi).delta_r),
-      between(before.radial(past_first).delta_r, after.radial(past_first).delta_r)};
+  const typename RadialProfile<Num>::At radial{between(before.at(point.phi).delta_r, after.at(point.phi).delta_r),
+                                               between(before.at(past_first).delta_r, after.at(past_first).delta_r)};
   const SinCos<Num> turn = sincos(model.azimuth_sign * between(before.delta_theta, after.delta_theta));
   const Vector3<Num> t = max(point.rho + radial.delta_r, Num(0)) * point.direction;
   return {{turn.cosine * t.x - turn.sine * t.y, turn.sine * t.x + turn.cosine * t.y, t.z},
           open_share<Num>(radial, model.options.closing)};
 }
 
-// the moments of every joint's own points
+// the moments of every joint's own points, one by one, in the interpolated field
 template <class Num, class Wide>
-void Cascade<Num, Wide>::sum_targets(const Model& model) noexcept {
+void Cascade<Num, Wide>::sum_points(const Model& model) noexcept {
   for (JointState& state : joints_) state.own = {};
-  if constexpr (LaneTraits<Num>::width == 1) {
-    if (model.options.field == FieldReading::field) {
-      for (const SolverPoint<Real>& point : model.points) {
-        const Target target = target_of(model, point);
-        joints_[point.joint].own.add(point.weight, target.share, point.p, target.t);
-      }
-      return;
-    }
+  for (const SolverPoint<Real>& point : model.points) {
+    const Target target = target_of(model, point);
+    joints_[point.joint].own.add(point.weight, target.share, point.p, target.t);
   }
-  for (std::size_t f = 0; f < planes.size(); ++f) {
+}
+
+// the same by patches, each on its finger's own plane; joints without points have none from the beginning
+template <class Num, class Wide>
+void Cascade<Num, Wide>::sum_targets(const Model& model, const SolverPart& part) noexcept {
+  for (int f : part.fingers) {
     const SinCos<Num> turn = sincos(Num(model.azimuth_sign) * planes[f].delta_theta);
-    for (int index : model.patches_of_finger[f]) {
-      const SolverPatch<Real>& patch = model.patches[index];
-      PointMoments<Num> moments = moments_of_patch<Num, Wide>(patch, planes[f], model.options.closing);
-      moments.turn_targets(turn.cosine, turn.sine);
-      joints_[patch.joint].own.add(moments);
+    for (int k : model.patches_of_finger[f]) {
+      const SolverPatch<Real>& patch = model.patches[k];
+      PointMoments<Num>& own = joints_[patch.joint].own;
+      if (patch.first_of_joint) {
+        sum_patch<Wide>(patch, planes[f], model.options.closing, own);
+        own.turn_targets(turn.cosine, turn.sine);
+      } else {
+        PointMoments<Num> moments;
+        sum_patch<Wide>(patch, planes[f], model.options.closing, moments);
+        moments.turn_targets(turn.cosine, turn.sine);
+        own.add(moments);
+      }
     }
   }
 }
@@ -156,18 +170,20 @@ void Cascade<Num, Wide>::move_frames(const Model& model, std::span<const ScopedJ
 
 // one pass: unknowns that move several fingers first, then every joint from the palm outward, parents final, children as they are
 template <class Num, class Wide>
-void Cascade<Num, Wide>::sweep(const Model& model, Num decay) noexcept {
-  carry_moments(model, model.whole_tree, decay);
-  for (const SolverStep& step : model.steps) {
+void Cascade<Num, Wide>::sweep(const Model& model, const SolverPart& part, Num decay) noexcept {
+  carry_moments(model, part.tree, decay);
+  for (int k : part.steps) {
+    const SolverStep& step = model.steps[k];
     if (model.step_at[step.driven.front()] >= 0) continue;
-    move_frames(model, model.whole_tree);
+    move_frames(model, part.tree);
     solve_step(model, step, frame_before_motion(model, step.driven.front()), decay);
-    carry_moments(model, model.whole_tree, decay);
+    carry_moments(model, part.tree, decay);
   }
-  for (int i = 0; i < static_cast<int>(joints_.size()); ++i) {
-    const RigidTransform<Num> F = frame_before_motion(model, i);
-    if (model.step_at[i] >= 0) solve_step(model, model.steps[model.step_at[i]], F, decay);
-    joints_[i].T_S_moved = model.joints[i].moved(F, joints_[i].value);
+  for (const ScopedJoint& s : part.tree) {
+    const RigidTransform<Num> F = frame_before_motion(model, s.joint);
+    const int k = model.step_at[s.joint];
+    if (k >= 0) solve_step(model, model.steps[k], F, decay);
+    joints_[s.joint].T_S_moved = model.joints[s.joint].moved(F, joints_[s.joint].value);
   }
 }
 
@@ -218,9 +234,10 @@ typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::within_limits(const SolverJ
 // Each joint goes to its closed end by the share of points that closing has taken. Only now: a child fitted to a parent
 // that has faded already would open to make up for it (measured on Allegro: a jump of 1 rad at delta r = -0.76).
 template <class Num, class Wide>
-void Cascade<Num, Wide>::close_faded(const Model& model) noexcept {
-  for (JointState& state : joints_) state.q = state.value.q;
-  for (const SolverStep& step : model.steps) {
+void Cascade<Num, Wide>::close_faded(const Model& model, const SolverPart& part) noexcept {
+  for (const ScopedJoint& s : part.tree) joints_[s.joint].q = joints_[s.joint].value.q;
+  for (int k : part.steps) {
+    const SolverStep& step = model.steps[k];
     JointState& state = joints_[step.joint];
     const Mask whole = state.open_share == Num(1);
     if (all(whole)) continue;
@@ -316,7 +333,7 @@ typename Cascade<Num, Wide>::Descent Cascade<Num, Wide>::descent(const Model& mo
 template <class Num, class Wide>
 double Cascade<Num, Wide>::residual_rms(const Model& model) noexcept {
   for (std::size_t i = 0; i < joints_.size(); ++i) joints_[i].value = model.joints[i].value(joints_[i].q);
-  move_frames(model, model.whole_tree);
+  for (const SolverPart& part : model.parts) move_frames(model, part.tree);
   double sum = 0, weight = 0;
   for (const SolverPoint<Real>& point : model.points) {
     const Target target = target_of(model, point);

@@ -17,7 +17,7 @@ inline constexpr double kFadeBegins = -0.5, kFadeEnds = -1.0;
 /// What closing leaves of a point: 1 or 0 for `hard`, else smoothstep between the bounds above. At the anchored pole the
 /// displacement of the first driving vector counts for `fade`: it must not keep a root open.
 template <class Num>
-Num open_share(const typename PlaneDeformation<Num>::Radial& radial, Closing closing) {
+Num open_share(const typename RadialProfile<Num>::At& radial, Closing closing) {
   if (closing == Closing::hard) return select(Num(1) + radial.delta_r < Num(0), Num(0), Num(1));
   const Num u = clamp((Num(1) + radial.past_first) * Num(2), Num(0), Num(1));
   return u * u * (Num(3) - Num(2) * u);
@@ -25,12 +25,12 @@ Num open_share(const typename PlaneDeformation<Num>::Radial& radial, Closing clo
 
 /// Moments of a patch point by point; `Wide` takes as many at once as it has lanes.
 template <class Wide>
-PointMoments<Wide> visit_points(const PointColumns<LaneReal<Wide>>& columns, const PlaneDeformation<Wide>& plane,
+PointMoments<Wide> visit_points(const PointColumns<LaneReal<Wide>>& columns, const RadialProfile<Wide>& profile,
                                 Closing closing) {
   PointMoments<Wide> moments;
   for (std::size_t k = 0; k < columns.length; k += LaneTraits<Wide>::width) {
     const auto column = [&](const auto& numbers) { return load<Wide>(numbers.data() + k); };
-    const auto radial = plane.radial(column(columns.phi));
+    const auto radial = profile.at(column(columns.phi));
     const Wide share = column(columns.weight) * open_share<Wide>(radial, closing);
     const Wide target = share * max(column(columns.rho) + radial.delta_r, Wide(0));
     const Vector3<Wide> p{column(columns.p[0]), column(columns.p[1]), column(columns.p[2])};
@@ -43,15 +43,15 @@ PointMoments<Wide> visit_points(const PointColumns<LaneReal<Wide>>& columns, con
   return moments;
 }
 
-/// One lane of a plane, in every lane of the result.
+/// One lane of a profile, in every lane of the result.
 template <class Wide, class Num>
-PlaneDeformation<Wide> spread_lane(const PlaneDeformation<Num>& plane, int l) {
-  PlaneDeformation<Wide> spread;
-  spread.vectors = plane.vectors;
-  for (int j = 0; j < plane.vectors; ++j) {
-    spread.phi[j] = Wide(lane(plane.phi[j], l));
-    spread.delta_r[j] = Wide(lane(plane.delta_r[j], l));
-    spread.slope[j] = Wide(lane(plane.slope[j], l));
+RadialProfile<Wide> spread_lane(const RadialProfile<Num>& profile, int l) {
+  RadialProfile<Wide> spread;
+  spread.vectors = profile.vectors;
+  for (int j = 0; j < profile.vectors; ++j) {
+    spread.phi[j] = Wide(lane(profile.phi[j], l));
+    spread.delta_r[j] = Wide(lane(profile.delta_r[j], l));
+    spread.slope[j] = Wide(lane(profile.slope[j], l));
   }
   return spread;
 }
@@ -87,7 +87,7 @@ PatchState<Num> classify_patch(const SolverPatch<LaneReal<Num>>& patch, const Pl
     for (int j = 0; j < plane.vectors; ++j) summable = summable & ((plane.phi[j] <= least_phi) | (plane.phi[j] >= greatest_phi));
   if (all(plane.lowest >= Num(std::max(Real(kFadeBegins), -patch.least_rho)))) return {summable, MaskOf<Num>(false)};
 
-  const auto first = plane.radial(least_phi), last = plane.radial(greatest_phi);
+  const auto first = plane.at(least_phi), last = plane.at(greatest_phi);
   Num lowest = min(first.delta_r, last.delta_r), highest = max(first.delta_r, last.delta_r);
   Num lowest_past = min(first.past_first, last.past_first), highest_past = max(first.past_first, last.past_first);
   for (int j = 0; j < plane.vectors; ++j) {
@@ -105,33 +105,47 @@ PatchState<Num> classify_patch(const SolverPatch<LaneReal<Num>>& patch, const Pl
   return {whole, hard ? highest < ends : highest_past <= ends};
 }
 
-/// Moments of all points, whole: targets are those at rest, and on each stretch between driving vectors
+/// Moments of all points, whole, into `moments`: targets are those at rest, and on each stretch between driving vectors
 /// (offset + slope phi) direction more.
 template <class Num>
-PointMoments<Num> moments_of_whole(const SolverPatch<LaneReal<Num>>& patch, const PlaneDeformation<Num>& plane) {
+void sum_whole(const SolverPatch<LaneReal<Num>>& patch, const PlaneDeformation<Num>& plane, PointMoments<Num>& moments) {
   using Real = LaneReal<Num>;
-  PointMoments<Num> moments = patch.rest.template cast<Num>();
   Num slope = plane.slope[0], offset = plane.delta_r[0] - plane.slope[0] * plane.phi[0];
   for (int j = 0; j < plane.vectors; ++j) {
     const MaskOf<Num> passed = plane.phi[j] <= Num(patch.least_phi);
     slope = select(passed, plane.slope_past(j), slope);
     offset = select(passed, plane.delta_r[j] - plane.slope_past(j) * plane.phi[j], offset);
   }
-  moments.add_targets(patch.beyond_phi.front(), slope);
-  moments.add_targets(patch.beyond.front(), offset);
-
+  struct Term {
+    const TargetMoments<Real>* sums;
+    Num factor;
+  };
+  Term terms[2 + 2 * kMaxDrivingVectors];
+  terms[0] = {&patch.beyond_phi.front(), slope};
+  terms[1] = {&patch.beyond.front(), offset};
+  int count = 2;
   // driving vectors inside the patch, at one angle in all lanes: the points beyond one see the slope change there
-  if (!plane.common_angles) return moments;
-  for (int j = 0; j < plane.vectors; ++j) {
+  for (int j = 0; j < plane.vectors && plane.common_angles; ++j) {
     const Real phi = lane(plane.phi[j], 0);
     if (!(phi > patch.least_phi && phi < patch.greatest_phi)) continue;
     std::size_t k = 0;
     while (patch.columns.phi[k] <= phi) ++k;
     const Num change = plane.slope_past(j) - plane.slope[j];
-    moments.add_targets(patch.beyond_phi[k], change);
-    moments.add_targets(patch.beyond[k], -phi * change);
+    terms[count++] = {&patch.beyond_phi[k], change};
+    terms[count++] = {&patch.beyond[k], -phi * change};
   }
-  return moments;
+
+  const auto sum = [&](auto part) {
+    Vector3<Num> total = part(patch.rest).template cast<Num>();
+    for (int n = 0; n < count; ++n) total += terms[n].factor * part(*terms[n].sums).template cast<Num>();
+    return total;
+  };
+  moments.full_weight = moments.weight = Num(patch.rest.full_weight);
+  moments.p = patch.rest.p.template cast<Num>();
+  moments.t = sum([](const TargetMoments<Real>& sums) { return sums.t; });
+  moments.pt[0] = sum([](const TargetMoments<Real>& sums) { return sums.pt[0]; });
+  moments.pt[1] = sum([](const TargetMoments<Real>& sums) { return sums.pt[1]; });
+  moments.pt[2] = sum([](const TargetMoments<Real>& sums) { return sums.pt[2]; });
 }
 
 template <class Num>
@@ -141,25 +155,25 @@ void keep_where(MaskOf<Num> mask, PointMoments<Num>& moments) {
   keep(moments.weight);
   keep_vector(moments.p);
   keep_vector(moments.t);
-  for (int j = 0; j < 3; ++j) keep_vector(moments.pt[j]);
+  for (Vector3<Num>& column : moments.pt) keep_vector(column);
 }
 
-/// Moments of a patch, lane by lane as its plane deforms it.
-template <class Num, class Wide>
-PointMoments<Num> moments_of_patch(const SolverPatch<LaneReal<Num>>& patch, const PlaneDeformation<Num>& plane,
-                                   Closing closing) {
+/// Moments of a patch, lane by lane as its plane deforms it, into `moments`.
+template <class Wide, class Num>
+void sum_patch(const SolverPatch<LaneReal<Num>>& patch, const PlaneDeformation<Num>& plane, Closing closing,
+               PointMoments<Num>& moments) {
   const PatchState<Num> state = classify_patch(patch, plane, closing);
-  PointMoments<Num> moments;
   if (any(state.whole)) {
-    moments = moments_of_whole(patch, plane);
-    if (all(state.whole)) return moments;
+    sum_whole(patch, plane, moments);
+    if (all(state.whole)) return;
     keep_where<Num>(state.whole, moments);
+  } else {
+    moments = {};
+    moments.full_weight = Num(patch.rest.full_weight);
   }
-  moments.full_weight = Num(patch.rest.full_weight);
   for (int l = 0; l < LaneTraits<Num>::width; ++l)
     if (!lane(state.whole, l) && !lane(state.vanished, l))
       add_to_lane(visit_points<Wide>(patch.columns, spread_lane<Wide>(plane, l), closing), l, moments);
-  return moments;
 }
 
 }  // namespace uhas

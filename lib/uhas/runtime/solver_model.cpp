@@ -190,6 +190,7 @@ SolverPatch<Real> compile_patch(const std::vector<SolverPoint<Real>>& points, st
                           .finger = points[first].finger,
                           .first = first,
                           .last = last,
+                          .first_of_joint = first == 0 || points[first - 1].joint != points[first].joint,
                           .least_phi = points[first].phi,
                           .greatest_phi = points[last - 1].phi,
                           .least_rho = points[first].rho,
@@ -225,6 +226,49 @@ std::vector<SolverPatch<Real>> gather_patches(std::vector<SolverPoint<Real>>& po
   return patches;
 }
 
+/// For each joint the least joint that it cannot be solved without: they share a parent, a master or a finger.
+std::vector<int> connected_joints(const HandProfile& profile) {
+  const std::vector<Joint>& joints = profile.tree.joints;
+  std::vector<int> least(joints.size());
+  std::iota(least.begin(), least.end(), 0);
+  const auto join = [&](int a, int b) {
+    const auto [low, high] = std::minmax(least[a], least[b]);
+    std::replace(least.begin(), least.end(), high, low);
+  };
+  for (int i = 0; i < static_cast<int>(joints.size()); ++i) {
+    if (joints[i].parent >= 0) join(i, joints[i].parent);
+    if (joints[i].mimic_master >= 0) join(i, joints[i].mimic_master);
+  }
+  for (const ProfileFinger& finger : profile.fingers)
+    for (int i : finger.joints) join(i, finger.joints.front());
+  return least;
+}
+
+template <class Real>
+std::vector<SolverPart> gather_parts(const HandProfile& profile, const SolverModel<Real>& model) {
+  const std::vector<int> least = connected_joints(profile);
+  std::vector<SolverPart> parts;
+  for (int first = 0; first < static_cast<int>(least.size()); ++first) {
+    if (least[first] != first) continue;
+    SolverPart part;
+    const auto inside = [&](int joint) { return least[joint] == first; };
+    for (int i = 0; i < static_cast<int>(least.size()); ++i)
+      if (inside(i)) part.tree.push_back({i, model.joints[i].parent >= 0});
+    for (int f = 0; f < static_cast<int>(profile.fingers.size()); ++f)
+      if (inside(profile.fingers[f].joints.front())) part.fingers.push_back(f);
+    for (int k = 0; k < static_cast<int>(model.laterals.size()); ++k) {
+      if (!inside(model.laterals[k].joint)) continue;
+      part.laterals.push_back(k);
+      for (const ScopedJoint& s : part.tree)
+        if (model.joints[s.joint].master == model.laterals[k].joint) part.lateral_followers.push_back(s.joint);
+    }
+    for (int k = 0; k < static_cast<int>(model.steps.size()); ++k)
+      if (inside(model.steps[k].driven.front())) part.steps.push_back(k);
+    parts.push_back(part);
+  }
+  return parts;
+}
+
 }  // namespace
 
 template <class Real>
@@ -234,7 +278,6 @@ SolverModel<Real>::SolverModel(const HandProfile& profile, const SolveOptions& s
   const int finger_count = static_cast<int>(profile.fingers.size());
   for (int i = 0; i < joint_count; ++i) {
     joints.push_back(compile_joint<Real>(profile, options, i));
-    whole_tree.push_back({i, joints[i].parent >= 0});
   }
 
   // the decay rises to 1 over the passes: the last ones descend on the plain weights
@@ -275,8 +318,6 @@ SolverModel<Real>::SolverModel(const HandProfile& profile, const SolveOptions& s
     SolverJoint<Real>& joint = joints[i];
     if (joint.master < 0) continue;
     joint.start = joint.value(joint.multiplier * joints[joint.master].start.q + joint.offset);
-    const auto moves_master = [&](const SolverLateral<Real>& lateral) { return lateral.joint == joint.master; };
-    if (std::any_of(laterals.begin(), laterals.end(), moves_master)) lateral_followers.push_back(i);
   }
 
   plane_groups = group_planes(profile);
@@ -303,6 +344,7 @@ SolverModel<Real>::SolverModel(const HandProfile& profile, const SolveOptions& s
   patches = gather_patches(points);
   patches_of_finger.resize(finger_count);
   for (int k = 0; k < static_cast<int>(patches.size()); ++k) patches_of_finger[patches[k].finger].push_back(k);
+  parts = gather_parts(profile, *this);
 }
 
 template <class Real>

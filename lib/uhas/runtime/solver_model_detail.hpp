@@ -85,6 +85,7 @@ template <class Real>
 struct SolverPatch {
   int joint{}, finger{};
   std::size_t first{}, last{};
+  bool first_of_joint{};                         ///< of the joint's patches, in the order of `patches_of_finger`
   Real least_phi{}, greatest_phi{}, least_rho{};
   PointMoments<Real> rest;                       ///< undeformed
   std::vector<TargetMoments<Real>> beyond;       ///< [point] of this and all later points, targets `direction`
@@ -112,6 +113,16 @@ struct SolverStep : CascadeStep {
   std::vector<ScopedJoint> scope;  ///< driven joints and all joints further out, in tree order
 };
 
+/// A part of the hand that no other part moves: a finger, or fingers that share a joint. Parts are solved one after the other,
+/// so that the memory one needs stays near.
+struct SolverPart {
+  std::vector<ScopedJoint> tree;      ///< its joints, in tree order
+  std::vector<int> fingers;
+  std::vector<int> laterals;          ///< indices into `SolverModel::laterals`
+  std::vector<int> lateral_followers; ///< joints that mimic one of these
+  std::vector<int> steps;             ///< indices into `SolverModel::steps`, in solving order
+};
+
 template <class Real>
 struct SolverModel {
   SolverModel(const HandProfile& profile, const SolveOptions& solve_options);
@@ -124,9 +135,8 @@ struct SolverModel {
   std::vector<SolverPatch<Real>> patches;
   std::vector<std::vector<int>> patches_of_finger;  ///< [finger] indices into `patches`
   std::vector<SolverLateral<Real>> laterals;
-  std::vector<int> lateral_followers;          ///< joints that mimic one of `laterals`
   std::vector<SolverStep> steps;
-  std::vector<ScopedJoint> whole_tree;
+  std::vector<SolverPart> parts;
   std::vector<Real> decays;                    ///< [pass] factor on a point's weight for each unknown between it and a joint
   std::vector<int> step_at;                    ///< [joint] the step solved when the sweep reaches the joint; -1 = none
   std::vector<int> tip_joint;                  ///< [finger]

@@ -74,15 +74,18 @@ TEST_CASE("what cannot be decoded is refused by a status") {
 }
 
 TEST_CASE("the radial profile is anchored at the pole, linear between driving vectors, constant beyond the last") {
-  PlaneDeformation<double> plane{.delta_theta = 0, .vectors = 2, .phi = {1.0, 2.0}, .delta_r = {0.4, -0.6}};
+  PlaneDeformation<double> plane;
+  plane.vectors = 2;
+  plane.phi = {1.0, 2.0};
+  plane.delta_r = {0.4, -0.6};
   plane.find_slopes();
-  const auto at = [&](double phi) { return plane.radial(phi).delta_r; };
+  const auto at = [&](double phi) { return plane.at(phi).delta_r; };
   CHECK(at(0) == doctest::Approx(0));
   CHECK(at(0.5) == doctest::Approx(0.2));
   CHECK(at(1.0) == doctest::Approx(0.4));
   CHECK(at(1.5) == doctest::Approx(-0.1));
   CHECK(at(2.0) == doctest::Approx(-0.6));
   CHECK(at(3.1) == -0.6);
-  CHECK(plane.radial(0.5).past_first == doctest::Approx(0.4));
-  CHECK(plane.radial(1.5).past_first == plane.radial(1.5).delta_r);
+  CHECK(plane.at(0.5).past_first == doctest::Approx(0.4));
+  CHECK(plane.at(1.5).past_first == plane.at(1.5).delta_r);
 }

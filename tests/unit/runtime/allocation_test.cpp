@@ -15,6 +15,7 @@
 #include "uhas/c/uhas.h"
 #include "uhas/profile_io/write_profile.hpp"
 #include "uhas/runtime/batch_solver.hpp"
+#include "uhas/runtime/cascade_solver.hpp"
 #include "uhas/runtime/fingertip_kinematics.hpp"
 #include "uhas/runtime/observation.hpp"
 #include "uhas/runtime/retarget.hpp"

@@ -53,12 +53,12 @@ def tip():
     return intersection(dome, half_space([10.8, 0, 0], [1, 0, 0]), 3)
 
 
-def thumb_mount():
-    """First link of the thumb: a barrel about x in the palm's pocket, an arm to the second joint."""
+def thumb_mount(y):
+    """First link of the thumb: a barrel about x in the palm's pocket, an arm to the second joint, `y` to the side."""
     barrel = cylinder(0, [-17.5, 0, 0], 8.5, 17, 2)
-    arm = round_box([-36.8, -7, -2], [-3, 17.5, 39.3], 6)
+    arm = round_box([-36.8, y - 12, -2], [-3, y + 12.5, 39.3], 6)
     arm = intersection(arm, half_space([-3, 0, 18], [0.894, 0, 0.447]), 8)
-    arm = intersection(arm, half_space([0, 17.5, 16], [0, 0.8, -0.6]), 8)
+    arm = intersection(arm, half_space([0, y + 12.5, 16], [0, 0.8, -0.6]), 8)
     return union(barrel, arm, 4)
 
 
@@ -71,13 +71,14 @@ def palm():
 
 
 def solids(mirrored):
+    y = -5 if mirrored else 5  # of the second thumb joint in its parent, on the hand before mirroring
     return {
         "palm": Solid(palm(), [-38, -65, -103], [20, 65, 8], 5.0, mirrored),
         "finger_base": Solid(base(16.4), [-13, -17, -7], [13, 17, 28], 2.2),
         "finger_proximal": Solid(phalanx(54.0), [-13, -17, -4], [13, 17, 66], 2.5),
         "finger_middle": Solid(phalanx(38.4), [-13, -17, -4], [13, 17, 50], 2.3),
         "finger_distal": Solid(distal(38.7), [-13, -17, -4], [13, 17, 20], 2.0),
-        "thumb_mount": Solid(thumb_mount(), [-42, -13, -13], [5, 24, 46], 3.0, mirrored),
+        "thumb_mount": Solid(thumb_mount(y), [-42, y - 18, -13], [5, y + 19, 46], 3.0, mirrored),
         "thumb_base": Solid(base(17.7), [-13, -17, -7], [13, 17, 30], 2.2),
         "thumb_proximal": Solid(phalanx(51.4), [-13, -17, -4], [13, 17, 64], 2.5),
         "thumb_distal": Solid(distal(54.3), [-13, -17, -4], [13, 17, 36], 2.3),
@@ -111,17 +112,16 @@ def flip_turn(vector):
 
 def hand(side):
     left = side == "left"
-    thumb_root, thumb_joints, thumb_offsets, finger_roots = THUMB_ROOT, THUMB_JOINTS, THUMB_OFFSETS, FINGER_ROOTS
-    if left:  # the joints of the fingers turn as on the right hand, those of the thumb are mirrored
+    thumb_root, thumb_joints, finger_roots = THUMB_ROOT, THUMB_JOINTS, FINGER_ROOTS
+    if left:  # the joints of the fingers turn as on the right hand, those of the thumb are mirrored, all but one published number
         finger_roots = {name: (flip(xyz), flip_turn(rpy)) for name, (xyz, rpy) in FINGER_ROOTS.items()}
         thumb_root = (flip(THUMB_ROOT[0]), flip_turn(THUMB_ROOT[1]))
         thumb_joints = [(flip_turn(axis), lower, upper) for axis, lower, upper in THUMB_JOINTS]
-        thumb_offsets = [flip(offset) for offset in THUMB_OFFSETS]
     chains = {"palm": [Link("palm", None, "palm", "shell")]}
     for name, root in finger_roots.items():
         chains[name] = digit(name, root, FINGER_JOINTS, FINGER_OFFSETS,
                              ["finger_base", "finger_proximal", "finger_middle", "finger_distal"])
-    chains["thumb"] = digit("thumb", thumb_root, thumb_joints, thumb_offsets,
+    chains["thumb"] = digit("thumb", thumb_root, thumb_joints, THUMB_OFFSETS,
                             ["thumb_mount", "thumb_base", "thumb_proximal", "thumb_distal"])
     about = (f"An Allegro {side} hand. Root frame: x out of the palm, y {'away from' if left else 'towards'} the index finger, "
              "z along the fingers; metres and radians.")

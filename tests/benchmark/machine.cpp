@@ -2,8 +2,10 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <ostream>
 #include <thread>
 
+#include "common/table.hpp"
 #include "uhas/runtime/instruction_set.hpp"
 
 namespace uhas::benchmark {
@@ -19,8 +21,28 @@ std::string processor_name() {
 }  // namespace
 
 Machine this_machine() {
-  return {processor_name(), std::thread::hardware_concurrency(), to_string(widest_instruction_set()),
-          "GCC " __VERSION__, UHAS_BUILD_TYPE};
+  return {processor_name(),
+          std::thread::hardware_concurrency(),
+          to_string(widest_instruction_set()),
+          "GCC " __VERSION__,
+          UHAS_BUILD_TYPE,
+          load_average(),
+          0};
+}
+
+tools::Json to_json(const Machine& machine) {
+  return {{"processor", machine.processor},
+          {"processors", machine.processors},
+          {"instruction_set", machine.instruction_set},
+          {"compiler", machine.compiler},
+          {"build_type", machine.build_type},
+          {"load_average", {{"before", machine.load_before}, {"after", machine.load_after}}}};
+}
+
+void print_machine(const Machine& machine, std::ostream& out) {
+  out << machine.processor << ", " << machine.processors << " processors; batches use " << machine.instruction_set
+      << "; " << machine.compiler << ", " << machine.build_type << "; load average "
+      << tools::fixed(machine.load_before, 2) << " before, " << tools::fixed(machine.load_after, 2) << " after\n";
 }
 
 double load_average() {

@@ -13,6 +13,10 @@ namespace uhas::benchmark {
 
 using Clock = std::chrono::steady_clock;
 
+/// Time that this process has computed, ns. It stands still while others have the processor, so that a busy machine
+/// does not count against what takes longer than a time slice.
+double processor_nanoseconds();
+
 struct Summary {
   double median = 0, p99 = 0, worst = 0;  ///< ns
 };
@@ -29,10 +33,10 @@ struct Work {
 };
 
 /// Times `rounds` samples of each work, one of each in turn, after one that is not counted.
-/// Returns one summary a work: ns a hand.
+/// Returns one summary a work: ns of processor time a hand.
 std::vector<Summary> measure_in_turn(std::span<const Work> works, int rounds);
 
-/// How evenly single calls run.
+/// How evenly single calls run, by the clock on the wall.
 struct Tail {
   Summary call;   ///< one call with the clock read before and after it, of the run with the least p99 / median
   Summary clock;  ///< the same loop around nothing: what the clock and the loop cost

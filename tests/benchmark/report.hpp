@@ -13,7 +13,6 @@ namespace uhas::benchmark {
 
 struct RuntimeReport {
   Machine machine;
-  double load_before = 0, load_after = 0;
   unsigned seed = 0;
   RuntimeSettings settings;
   std::vector<HandMeasurement> hands;

@@ -11,14 +11,6 @@ Json to_json(const Summary& summary) {
 
 Json to_json(const Tail& tail) { return {{"call", to_json(tail.call)}, {"clock", to_json(tail.clock)}}; }
 
-Json to_json(const Machine& machine) {
-  return {{"processor", machine.processor},
-          {"processors", machine.processors},
-          {"instruction_set", machine.instruction_set},
-          {"compiler", machine.compiler},
-          {"build_type", machine.build_type}};
-}
-
 Json to_json(const HandMeasurement& hand) {
   Json works = Json::array(), peers = Json::array(), sizes = Json::array();
   for (const Measured& measured : hand.works) {
@@ -50,17 +42,6 @@ Json to_json(const PointGrowth& growth) {
   return {{"hand", growth.hand}, {"profiles", rows}};
 }
 
-Json to_json(const Judgement& judgement) {
-  constexpr const char* words[] = {"aim", "must", "missed"};
-  return {{"requirement", judgement.requirement},
-          {"bound", judgement.at_most ? "at most" : "at least"},
-          {"must", judgement.must},
-          {"aim", judgement.aim},
-          {"value", judgement.value},
-          {"hand", judgement.hand},
-          {"meets", words[int(judgement.verdict())]}};
-}
-
 template <class Items>
 Json to_list(const Items& items) {
   Json list = Json::array();
@@ -73,7 +54,6 @@ Json to_list(const Items& items) {
 Json to_json(const RuntimeReport& report) {
   Json document = tools::new_document("uhas-runtime-benchmark");
   document["machine"] = to_json(report.machine);
-  document["load_average"] = {{"before", report.load_before}, {"after", report.load_after}};
   document["settings"] = {{"seed", report.seed},
                           {"rounds", report.settings.rounds},
                           {"single_solves", report.settings.tail_calls},
@@ -81,7 +61,7 @@ Json to_json(const RuntimeReport& report) {
                           {"batch", report.settings.batch}};
   document["hands"] = to_list(report.hands);
   document["point_growth"] = to_json(report.growth);
-  document["requirements"] = to_list(report.judgements);
+  document["requirements"] = to_json(report.judgements);
   return document;
 }
 

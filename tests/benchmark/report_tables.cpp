@@ -21,25 +21,6 @@ std::string microseconds(double ns) {
 
 std::string number(double value) { return fixed(value, value < 10 ? 2 : value < 100 ? 1 : 0); }
 
-const char* to_word(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::aim: return "PASS, aim too";
-    case Verdict::must: return "PASS";
-    case Verdict::missed: break;
-  }
-  return "FAIL";
-}
-
-std::string bound(const Judgement& judgement, double value) {
-  return (judgement.at_most ? "<= " : ">= ") + fixed(value, value < 10 ? 1 : 0);
-}
-
-void print_machine(const RuntimeReport& report, std::ostream& out) {
-  out << report.machine.processor << ", " << report.machine.processors << " processors; batches use "
-      << report.machine.instruction_set << "; " << report.machine.compiler << ", " << report.machine.build_type
-      << "; load average " << fixed(report.load_before, 2) << " before, " << fixed(report.load_after, 2) << " after\n";
-}
-
 void print_hand(const HandMeasurement& hand, std::ostream& out) {
   out << '\n'
       << hand.hand << ": " << hand.fingers << " fingers, " << hand.joints << " joints (" << hand.independent_joints
@@ -81,22 +62,10 @@ void print_hand(const HandMeasurement& hand, std::ostream& out) {
   sizes.print(out);
 }
 
-/// A row of Markdown.
-void print_row(const std::vector<std::string>& cells, std::ostream& out) {
-  for (const std::string& cell : cells) out << "| " << cell << ' ';
-  out << "|\n";
-}
-
-void print_rule(std::size_t columns, std::ostream& out) {
-  out << "|---|";
-  for (std::size_t i = 1; i < columns; ++i) out << "---:|";
-  out << '\n';
-}
-
 }  // namespace
 
 void print_tables(const RuntimeReport& report, std::ostream& out) {
-  print_machine(report, out);
+  print_machine(report.machine, out);
   for (const HandMeasurement& hand : report.hands) print_hand(hand, out);
 
   out << "\nSolves of " << report.growth.hand << " as its stored points grow\n";
@@ -107,34 +76,22 @@ void print_tables(const RuntimeReport& report, std::ostream& out) {
   growth.print(out);
 
   out << '\n';
-  Table requirements(
-      {{"requirement"}, {"must", Align::right}, {"aim", Align::right}, {"measured", Align::right}, {"on"}, {"result"}});
-  for (const Judgement& judgement : report.judgements)
-    requirements.add_row({judgement.requirement, bound(judgement, judgement.must), bound(judgement, judgement.aim),
-                          number(judgement.value), judgement.hand, to_word(judgement.verdict())});
-  requirements.print(out);
+  print_table(report.judgements, out);
 }
 
 void print_markdown(const RuntimeReport& report, std::ostream& out) {
-  print_machine(report, out);
+  print_machine(report.machine, out);
   out << '\n';
   std::vector<std::string> header{"µs a hand, median"};
   for (const HandMeasurement& hand : report.hands) header.push_back(hand.hand);
-  print_row(header, out);
-  print_rule(header.size(), out);
+  print_markdown_header(header, out);
   for (const Measured& work : report.hands.front().works) {
     std::vector<std::string> row{work.work};
     for (const HandMeasurement& hand : report.hands) row.push_back(microseconds(hand.median(work.work)));
-    print_row(row, out);
+    print_markdown_row(row, out);
   }
   out << '\n';
-  const std::vector<std::string> columns{"requirement", "must", "aim", "measured", "on", "result"};
-  print_row(columns, out);
-  print_rule(columns.size(), out);
-  for (const Judgement& judgement : report.judgements)
-    print_row({judgement.requirement, bound(judgement, judgement.must), bound(judgement, judgement.aim),
-               number(judgement.value), judgement.hand, to_word(judgement.verdict())},
-              out);
+  print_markdown(report.judgements, out);
 }
 
 }  // namespace uhas::benchmark

@@ -1,7 +1,8 @@
 #include "requirements.hpp"
 
-#include <algorithm>
 #include <functional>
+#include <optional>
+#include <string>
 
 namespace uhas::benchmark {
 namespace {
@@ -35,6 +36,10 @@ const std::vector<Requirement>& requirements() {
        [](const HandMeasurement& hand) { return hand.gentle_tail.call.p99 / hand.gentle_tail.call.median; }},
       {"solve, any: p99 / median", at_most, 3, 1.5, all,
        [](const HandMeasurement& hand) { return hand.any_tail.call.p99 / hand.any_tail.call.median; }},
+      {"batch, gentle: times the rate of single solves", at_least, 3, 6, all,
+       ratio("solve, gentle, float", "solve, gentle, batch, float")},
+      {"batch, any: times the rate of single solves", at_least, 3, 6, all,
+       ratio("solve, any, float", "solve, any, batch, float")},
       {"forward kinematics: faster than KDL's", at_least, 3.5, 5, all, ratio("KDL, fingertips", "fingertips, double")},
       {"forward kinematics, batch: faster than KDL's", at_least, 35, 50, all,
        ratio("KDL, fingertips", "fingertips, batch, float")},
@@ -53,11 +58,6 @@ std::vector<const HandMeasurement*> hands_for(const Requirement& requirement,
 }
 
 }  // namespace
-
-Verdict Judgement::verdict() const {
-  const auto meets = [&](double bound) { return at_most ? value <= bound : value >= bound; };
-  return meets(aim) ? Verdict::aim : meets(must) ? Verdict::must : Verdict::missed;
-}
 
 std::vector<Judgement> hold_against_requirements(const std::vector<HandMeasurement>& hands, const PointGrowth& growth) {
   std::vector<Judgement> judgements;

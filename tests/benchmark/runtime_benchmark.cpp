@@ -48,7 +48,6 @@ RuntimeReport measure(const Tool& tool, const Options& options) {
 
   RuntimeReport report;
   report.machine = this_machine();
-  report.load_before = load_average();
   report.seed = options.seed;
   report.settings = options.settings;
   Progress progress(tool, int(urdfs.size()) + 1);
@@ -60,7 +59,7 @@ RuntimeReport measure(const Tool& tool, const Options& options) {
     progress.begin("growing profiles");
     report.growth = measure_point_growth(hand, options.growth_samples, options.settings);
   }
-  report.load_after = load_average();
+  report.machine.load_after = load_average();
   report.judgements = hold_against_requirements(report.hands, report.growth);
   return report;
 }

@@ -104,7 +104,7 @@ double HandMeasurement::median(const std::string& work) const {
 
 HandMeasurement measure_hand(const HandCase& hand, const RuntimeSettings& settings) {
   HandMeasurement measurement;
-  measurement.hand = hand.profile.hand;
+  measurement.hand = hand.urdf.stem();
   measurement.fingers = hand.fingers();
   measurement.joints = hand.joints();
   measurement.independent_joints = std::size_t(std::ranges::count(hand.profile.tree.joints, -1, &Joint::mimic_master));
@@ -128,7 +128,7 @@ PointGrowth measure_point_growth(const HandCase& hand, const std::vector<int>& s
                                  const RuntimeSettings& settings) {
   constexpr int points_per_link =
       8;  // so few that the smallest profile has them, too: the solver's share stays the same
-  PointGrowth growth{.hand = hand.profile.hand, .rows = {}};
+  PointGrowth growth{.hand = hand.urdf.stem(), .rows = {}};
   std::vector<Work> works;
   for (int count : samples) {
     BuildSettings build;

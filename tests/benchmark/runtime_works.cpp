@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "uhas/runtime/batch_solver.hpp"
 #include "uhas/runtime/cascade_solver.hpp"
 #include "uhas/runtime/encoder.hpp"
 #include "uhas/runtime/fingertip_kinematics.hpp"
@@ -13,7 +14,7 @@
 namespace uhas::benchmark {
 namespace {
 
-constexpr std::size_t kSingles = 50;  // single calls in a sample: long against the clock, short against a time slice
+constexpr std::size_t kSingles = 200;  // single calls in a sample: long against the clock, short against a time slice
 
 /// Rows of numbers that works walk through, sample after sample, from the first again at the end.
 template <class Real>
@@ -43,6 +44,17 @@ template <class Call>
 Work singles(std::string name, std::size_t hands, Call call) {
   return {std::move(name), hands, [hands, call = std::move(call)](std::size_t sample) mutable {
             for (std::size_t n = 0; n < hands; ++n) call(sample * hands + n);
+          }};
+}
+
+/// The whole batch on the calling thread.
+template <class Real>
+Work batch_work(std::string name, const HandCase& hand, const ActionSet& set, std::size_t batch) {
+  const auto solver = std::make_shared<BatchSolver<Real>>(hand.profile);
+  return {std::move(name), batch,
+          [=, actions = Rows<Real>(set.actions, hand.count).repeated(batch),
+           q = std::vector<Real>(batch * hand.joints())](std::size_t) mutable {
+            solver->solve({.count = batch, .values = actions, .driving_vectors_phi = {}, .hands = {}}, q);
           }};
 }
 
@@ -109,6 +121,8 @@ std::vector<Work> runtime_works(const HandCase& hand, std::size_t batch) {
     works.push_back(solve_work<double>(solve + ", double", hand.profile, set->actions));
     works.push_back(solve_work<float>(solve + ", float", hand.profile, set->actions));
     works.push_back(solve_work<double>(solve + ", double, 3 passes", hand.profile, set->actions, 3));
+    works.push_back(batch_work<double>(solve + ", batch, double", hand, *set, batch));
+    works.push_back(batch_work<float>(solve + ", batch, float", hand, *set, batch));
   }
   works.push_back(solve_work<double>("solve, trajectory, double", hand.profile, hand.trajectory.actions));
   add_fingertips<double>(works, "double", hand, batch);
@@ -141,12 +155,12 @@ std::vector<Work> peer_works(const HandCase& hand, Peers& peers) {
   return {
       singles("KDL, fingertips", kSingles,
               [=, &peers](std::size_t row) mutable { peers.kdl.fingertips((*q)[row], out); }),
-      singles("KDL, LMA", 5, [=, &peers](std::size_t row) { peers.kdl.reach((*targets)[row], peers.q_lma); }),
+      singles("KDL, LMA", 10, [=, &peers](std::size_t row) { peers.kdl.reach((*targets)[row], peers.q_lma); }),
       singles("NLopt, SLSQP", 1, [=, &peers](std::size_t row) { peers.slsqp.reach((*targets)[row], peers.q_slsqp); }),
       singles(
           "NLopt, SLSQP, as shipped", 1,
           [=, &peers](std::size_t row) { peers.slsqp_as_shipped.reach((*targets)[row], peers.q_slsqp_as_shipped); }),
-      singles("damped least squares", 25,
+      singles("damped least squares", 100,
               [=, &peers](std::size_t row) { peers.fingertip_ik.reach((*targets)[row], peers.q_fingertip_ik); }),
   };
 }

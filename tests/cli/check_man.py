@@ -9,6 +9,7 @@ fault, where mandoc is installed.
 """
 
 import argparse
+import json
 import os
 import pathlib
 import re
@@ -23,6 +24,8 @@ SECTIONS = ["NAME", "SYNOPSIS", "DESCRIPTION", "OPTIONS", "EXIT STATUS", "EXAMPL
 # what the examples find in their folder, besides the hand of hands/allegro_right
 HAND_CONFIG = '{"palm_link": "palm"}'
 ACTIONS = '{"format": "uhas-actions", "version": 1, "actions": [[0,0,0,0.2,0, 0,0, 0,0, 0,0, -0.3,-0.3, 0,0]]}'
+JOINTS = [f"{finger}_joint_{i}" for finger in ("index", "middle", "ring", "thumb") for i in range(4)]
+TRAJECTORY = [{"format": "uhas-trajectory", "version": 1, "joint_names": JOINTS}, [0.4] * 16, [0.5] * 16]
 
 
 def options_of_help(text):
@@ -30,7 +33,7 @@ def options_of_help(text):
     options = {}
     for entry in re.findall(r"^  -\S.*(?:\n {20,}\S.*)*", text, re.M):
         flags, description = re.split(r"\s{2,}|\n\s*", entry.strip(), maxsplit=1)
-        names, _, argument = flags.partition(" ")
+        names, _, argument = flags.removesuffix(" REQUIRED").partition(" ")
         default = re.search(r"\[([\w.]+)\]$", description)
         options[frozenset(names.split(","))] = (argument, default and default[1])
     return options
@@ -119,6 +122,7 @@ def main():
             os.rename(f"{folder}/allegro_right.urdf", f"{folder}/hand.urdf")
             pathlib.Path(folder, "hand.json").write_text(HAND_CONFIG)
             pathlib.Path(folder, "actions.json").write_text(ACTIONS)
+            pathlib.Path(folder, "trajectory.jsonl").write_text("".join(json.dumps(line) + "\n" for line in TRAJECTORY))
             found += run_examples(sections["EXAMPLES"], folder, environment)
         faults += [f"{tool}: {fault}" for fault in found]
 

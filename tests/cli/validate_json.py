@@ -60,12 +60,23 @@ def tool_documents(bin_dir, folder):
         ("surface-hits", "uhas-project-surface", [HAND, "--json", "-o", points]),
         ("solution", "uhas-solve", [actions]),
         ("solution", "uhas-solve", [actions, "--closing", "hard", "--rule", "contact", "--field", "field", "--actuated-only"]),
+        ("trajectory", "uhas-retarget", ["--from", profile, "--to", profile, folder / "trajectory.json"]),
+        ("retarget-summary", "uhas-retarget",
+         ["--from", profile, "--to", profile, folder / "trajectory.json", "-o", folder / "out.jsonl", "--json"]),
     ]
     for schema, tool, arguments in commands:
+        if tool == "uhas-retarget":  # of what uhas-solve has just solved
+            solved = parse(run("uhas-solve", actions))
+            trajectory = {"format": "uhas-trajectory", "version": 1, "joint_names": solved["joint_names"],
+                          "q": [solution["q"] for solution in solved["solutions"]]}
+            (folder / "trajectory.json").write_text(json.dumps(trajectory))
         switches = [argument for argument in arguments if str(argument).startswith("-")]
         yield schema, " ".join([tool, *switches]), parse(run(tool, *arguments))
     yield "surface-points", "uhas-project-surface -o", parse(points.read_text())
     yield "hand-config", "uhas-explain-hand --write-config", parse(config.read_text())
+
+    header, *frames, summary = [parse(line) for line in (folder / "out.jsonl").read_text().splitlines()]
+    yield "trajectory", "uhas-retarget -o (lines)", header | summary | {"q": [frame["q"] for frame in frames]}
 
     lines = "".join(json.dumps(action) + "\n" for action in ACTIONS["actions"])
     whole = parse(run("uhas-solve", actions))

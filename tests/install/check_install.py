@@ -56,15 +56,16 @@ class Installation:
         run("cmake", "--build", build, "--parallel", 2)
 
     def check_headers(self):
-        """Each alone, so that none leans on what another includes."""
+        """Each alone, so that none leans on what another includes; those of C in C99 too."""
         include = self.prefix / "include"
         headers = sorted(path.relative_to(include) for path in include.rglob("*.h*"))
         if not headers or any("_detail" in path.name for path in headers):
             raise Failure(f"public headers: {headers}")
-        source = self.scratch / "header.cpp"
         for header in headers:
-            source.write_text(f'#include "{header}"\n')
-            run("c++", "-std=c++20", *WARNINGS, "-fsyntax-only", f"-I{include}", source)
+            for compiler in ["c++ -x c++ -std=c++20"] + ["cc -x c -std=c99"] * (header.suffix == ".h"):
+                source = self.scratch / "header"
+                source.write_text(f'#include "{header}"\n')
+                run(*compiler.split(), *WARNINGS, "-fsyntax-only", f"-I{include}", source)
 
     def check_soname(self):
         major = re.search(r"Version: (\d+)", (self.library / "pkgconfig/uhas.pc").read_text())[1]
@@ -72,14 +73,21 @@ class Installation:
         if f"soname: [libuhas.so.{major}]" not in dynamic:
             raise Failure(dynamic)
 
+    def run_example(self, example, build):
+        profiles = [self.profile] * (2 if "retarget" in example.name else 1)
+        program = [sys.executable, example, self.library / "libuhas.so"] if example.suffix == ".py" else [build / example.stem]
+        return run(*program, *profiles)
+
     def check_examples(self):
-        """Every numbered source builds, runs and prints."""
+        """Every numbered source builds, runs and prints; C says what C++ says."""
         source, build = self.prefix / "share/doc/uhas/examples", self.scratch / "examples"
         self.build(source, build)
-        for example in sorted(source.glob("[0-9]*")):
-            profiles = [self.profile] * (2 if "retarget" in example.name else 1)
-            if not run(build / example.stem, *profiles):
-                raise Failure(f"{example.name} printed nothing")
+        printed = {example.stem: self.run_example(example, build) for example in sorted(source.glob("[0-9]*"))}
+        silent = [name for name, text in printed.items() if not text]
+        if len(printed) < 7 or silent:
+            raise Failure(f"{len(printed)} examples, of which print nothing: {silent}")
+        if printed["02_solve"] != printed["07_c"]:
+            raise Failure(f"C++ prints\n{printed['02_solve']}C prints\n{printed['07_c']}")
 
     def check_pkg_config(self):
         environment = dict(os.environ, PKG_CONFIG_PATH=str(self.library / "pkgconfig"))

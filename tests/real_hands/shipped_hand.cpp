@@ -19,18 +19,10 @@ using namespace uhas::test;
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-// The shipped numbers are the published ones. What is left: right angles that were published with five digits (0.004
-// deg), and the radius of the left Allegro hand, whose thumb differs (0.14 %).
-constexpr double kAngleTolerance = 0.2 * kDegree;
-constexpr double kTipTolerance = 3e-3;  // sphere radii
+// The shipped numbers are the published ones. What is left: right angles that were published with five digits (0.004 deg).
+constexpr double kAngleTolerance = 0.02 * kDegree;
+constexpr double kTipTolerance = 5e-4;  // sphere radii
 constexpr double kLimitTolerance = 1e-6;
-
-/// The thumb of the left Allegro hand: one offset of the published model is 10 mm off the mirror image of the right
-/// hand, which is what we ship (hands/README.md).
-constexpr double kOffsetOfLeftThumb = 0.010;  // m
-bool is_left_allegro_thumb(const ProfileFinger& finger) {
-  return real_hand().name == "allegro_left" && finger.slots[4];
-}
 
 const HandProfile& shipped_profile() {
   static const HandProfile profile =
@@ -90,7 +82,6 @@ TEST_CASE("the same joints: limits, classes, poses") {
       CHECK(std::abs(joint.lower - same.lower) < kLimitTolerance);
       CHECK(std::abs(joint.upper - same.upper) < kLimitTolerance);
       CHECK(traits.joint_class == same_traits.joint_class);
-      if (is_left_allegro_thumb(*a)) continue;
       for (const auto pose : {&JointTraits::q_open, &JointTraits::q_sphere, &JointTraits::q_closed}) {
         difference = std::max(difference, std::abs(traits.*pose - same_traits.*pose));
         CHECK(std::abs(traits.*pose - same_traits.*pose) < kAngleTolerance);
@@ -105,7 +96,6 @@ TEST_CASE("the same tables: neutral, azimuth, bounds") {
   for (const auto& [a, b] : finger_pairs()) {
     CAPTURE(a->name);
     REQUIRE((a->lateral_table < 0) == (b->lateral_table < 0));
-    if (is_left_allegro_thumb(*a)) continue;
     CHECK(std::abs(wrap_angle(a->theta_initial - b->theta_initial)) < kAngleTolerance);
     CHECK(std::abs(a->tip_phi - b->tip_phi) < kAngleTolerance);
     if (a->lateral_table < 0) continue;
@@ -137,7 +127,7 @@ TEST_CASE("the same geometry: fingertips in random poses") {
       CAPTURE(a->name);
       const double distance = norm(fingertip(real, *a, q_real) - fingertip(shipped, *b, q_shipped));
       difference = std::max(difference, distance);
-      CHECK(distance < kTipTolerance + (is_left_allegro_thumb(*a) ? kOffsetOfLeftThumb / real.radius : 0));
+      CHECK(distance < kTipTolerance);
     }
   }
   std::cout << real.hand << ": fingertips differ by " << difference << " radii\n";

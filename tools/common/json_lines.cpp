@@ -6,11 +6,6 @@
 #include "uhas/base/errors.hpp"
 
 namespace uhas::tools {
-namespace {
-
-constexpr std::size_t kMaxLineBytes = 1u << 20;
-
-/// Reads up to the line break, at most one byte more than `kMaxLineBytes` of it; false at the end of `in`.
 bool read_line(std::istream& in, std::string& line) {
   line.clear();
   std::streambuf& buffer = *in.rdbuf();
@@ -20,8 +15,6 @@ bool read_line(std::istream& in, std::string& line) {
   }
   return !line.empty();
 }
-
-}  // namespace
 
 std::size_t answer_json_lines(std::istream& in, std::ostream& out,
                               const std::function<Json(const std::string& line)>& answer) {

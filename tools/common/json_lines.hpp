@@ -9,6 +9,11 @@
 
 namespace uhas::tools {
 
+inline constexpr std::size_t kMaxLineBytes = 1u << 20;
+
+/// Reads up to the line break, at most one byte more than `kMaxLineBytes` of it; false at the end of `in`.
+bool read_line(std::istream& in, std::string& line);
+
 /// Answers each line of `in` by one line on `out`, flushed at once. A line over 1 MiB, or one for which `answer` throws
 /// Error, is answered by {"error": ..., "line": n}, n counted from 1. Returns how many lines were answered so.
 /// Throws Error(write_failed) when `out` takes no more.

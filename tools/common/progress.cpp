@@ -35,13 +35,22 @@ void Progress::begin(const char* step) {
   tool_.log(step);
   const std::lock_guard lock(mutex_);
   ++current_;
+  share_ = 0;
   step_ = step;
   if (visible_) draw();
 }
 
+void Progress::advance(double share) {
+  const std::lock_guard lock(mutex_);
+  const int before = done();
+  share_ = share;
+  if (visible_ && done() != before) draw();
+}
+
+int Progress::done() const { return static_cast<int>(kBarWidth * (std::max(current_ - 1, 0) + share_) / steps_); }
+
 void Progress::draw() const {
-  const int done = kBarWidth * std::max(current_ - 1, 0) / steps_;
-  std::cerr << "\r\033[K[" << std::string(done, '#') << std::string(kBarWidth - done, '.') << "] " << step_
+  std::cerr << "\r\033[K[" << std::string(done(), '#') << std::string(kBarWidth - done(), '.') << "] " << step_
             << std::flush;
 }
 

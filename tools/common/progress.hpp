@@ -22,12 +22,17 @@ class Progress {
   /// The next step begins. With --verbose it is logged instead of drawn.
   void begin(const char* step);
 
+  /// The present step has done this share of its work, 0 to 1.
+  void advance(double share);
+
  private:
+  int done() const;  // how much of the bar
   void draw() const;
 
   const Tool& tool_;
   const int steps_;
   int current_ = 0;
+  double share_ = 0;  // of the present step
   std::string step_;
   bool visible_ = false;
   std::mutex mutex_;

@@ -22,8 +22,8 @@ const char* to_string(Status status) noexcept {
     case Status::non_finite_input: return "the input has a number that is not finite";
     case Status::wrong_size: return "a span has the wrong length";
     case Status::invalid_driving_vectors: return "driving-vector angles must increase strictly within (0, pi)";
-    case Status::invalid_period: return "the control period must be a positive finite number of seconds";
     case Status::unknown_hand: return "a row is for a hand that the batch solver does not have";
+    case Status::invalid_period: return "the control period must be a positive finite number of seconds";
     case Status::invalid_radial_bounds: return "radial bounds must be lower <= 0 <= upper";
   }
   return "unknown status";

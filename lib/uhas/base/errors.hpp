@@ -42,8 +42,8 @@ enum class Status : int {
   non_finite_input = 1,         ///< NaN or infinity in the input; the output is untouched
   wrong_size = 2,               ///< a span of the wrong length; the output is untouched
   invalid_driving_vectors = 3,  ///< driving-vector angles not strictly increasing in (0, pi); the output is untouched
-  invalid_period = 4,           ///< a control period that is not a positive finite number; the output is untouched
-  unknown_hand = 5,             ///< a batch row for a hand that the solver does not have; the output is untouched
+  unknown_hand = 4,             ///< a batch row for a hand that the solver does not have; the output is untouched
+  invalid_period = 5,           ///< a control period that is not a positive finite number; the output is untouched
   invalid_radial_bounds = 6,    ///< radial bounds that are not lower <= 0 <= upper; the output is untouched
 };
 

@@ -22,7 +22,7 @@ struct Hand {
   const Anatomy& anatomy;
   const SphereFrame& frame;
   std::span<const JointClassification> classes;
-  std::span<const double> q_closed;
+  SphereWrapper& wrapper;
 
   bool is_free_lateral(int joint) const {
     return classes[joint].joint_class == JointClass::lateral && anatomy.tree.joints[joint].mimic_master < 0;
@@ -31,22 +31,30 @@ struct Hand {
   /// The pose wrapped with the lateral joints as they are in `q`.
   std::vector<double> wrapped(std::vector<double> q) const {
     apply_mimics(anatomy.tree, q);
-    wrap_on_sphere(anatomy, frame, classes, q_closed, q);
+    wrapper.wrap(q);
     return q;
   }
 
-  double canonical_azimuth(int finger, std::span<const double> q) const {
+  /// Canonical azimuth of the fingertip on the hand wrapped with the lateral joints as they are in `q`, whose
+  /// encompassing joints become scratch.
+  double wrapped_azimuth(int finger, std::span<double> q) const {
+    apply_mimics(anatomy.tree, q);
+    wrapper.wrap_finger(finger, q);
     const double azimuth = to_spherical(fingertip_in_sphere(anatomy, frame, finger, q)).azimuth;
     return frame.mirrored ? -azimuth : azimuth;
   }
 };
 
-/// The finger whose azimuth a lateral joint's table records: the first that it, or a follower of it, belongs to; -1 = none.
-int finger_of(const Anatomy& anatomy, int joint) {
+/// The finger whose azimuth a lateral joint's table records: of those that it, or a follower of it, belongs to, the one with
+/// the lowest slot; -1 = none.
+int finger_of(const Anatomy& anatomy, const SphereFrame& frame, int joint) {
+  int lowest = -1;
   for (int f = 0; f < static_cast<int>(anatomy.fingers.size()); ++f)
     for (int j : anatomy.fingers[f].joints)
-      if (j == joint || anatomy.tree.joints[j].mimic_master == joint) return f;
-  return -1;
+      if ((j == joint || anatomy.tree.joints[j].mimic_master == joint) &&
+          (lowest < 0 || frame.own_slot[f] < frame.own_slot[lowest]))
+        lowest = f;
+  return lowest;
 }
 
 /// `count` samples of the joint from `first` to `last`, the other lateral joints as in `q`.
@@ -54,7 +62,7 @@ std::vector<Sample> sweep(const Hand& hand, int joint, int finger, std::vector<d
   std::vector<Sample> samples;
   for (int k = 0; k < count; ++k) {
     q[joint] = k + 1 == count ? last : first + (last - first) * k / (count - 1);
-    const double azimuth = hand.canonical_azimuth(finger, hand.wrapped(q));
+    const double azimuth = hand.wrapped_azimuth(finger, q);
     const double before = samples.empty() ? azimuth : samples.back().theta;
     samples.push_back({q[joint], before + wrap_angle(azimuth - before)});
   }
@@ -86,7 +94,7 @@ bool jumps(const Hand& hand, int joint, int finger, std::vector<double> q, Sampl
   const double step = std::abs(b.theta - a.theta);
   for (int i = 0; i < halvings; ++i) {
     q[joint] = (a.q + b.q) / 2;
-    const double azimuth = hand.canonical_azimuth(finger, hand.wrapped(q));
+    const double azimuth = hand.wrapped_azimuth(finger, q);
     const Sample middle{q[joint], a.theta + wrap_angle(azimuth - a.theta)};
     (std::abs(middle.theta - a.theta) > std::abs(b.theta - middle.theta) ? b : a) = middle;
   }
@@ -206,14 +214,15 @@ LateralTables build_lateral_tables(const Anatomy& anatomy, const SphereFrame& fr
   constexpr int fewest_steps = 11;
   if (options.steps < fewest_steps)
     throw Error(ErrorCode::invalid_config, "", "a lateral table of " + std::to_string(options.steps) + " steps", "use at least 11");
-  const Hand hand{anatomy, frame, classes, q_closed};
+  SphereWrapper wrapper(anatomy, frame, classes, q_closed);
+  const Hand hand{anatomy, frame, classes, wrapper};
   LateralTables result;
   result.table_of_finger.assign(anatomy.fingers.size(), -1);
 
   // every lateral joint by itself, the others open: this gives each its neutral value
   std::vector<double> q = anatomy.q_open;
   for (int joint = 0; joint < static_cast<int>(anatomy.tree.joints.size()); ++joint) {
-    const int finger = finger_of(anatomy, joint);
+    const int finger = finger_of(anatomy, frame, joint);
     if (!hand.is_free_lateral(joint) || finger < 0) continue;
     LateralTable table = build_table(hand, joint, finger, anatomy.q_open, options.steps, false);
     q[joint] = table.neutral;
@@ -228,7 +237,7 @@ LateralTables build_lateral_tables(const Anatomy& anatomy, const SphereFrame& fr
     };
     int driver = -1;
     for (int t = 0; t < static_cast<int>(result.tables.size()); ++t)
-      if (finger_of(anatomy, result.tables[t].joint) == f && (driver < 0 || rank(t) > rank(driver))) driver = t;
+      if (finger_of(anatomy, frame, result.tables[t].joint) == f && (driver < 0 || rank(t) > rank(driver))) driver = t;
     if (driver < 0) continue;
     LateralTable table = build_table(hand, result.tables[driver].joint, f, q, options.steps, true);
     if (table.q.empty()) continue;

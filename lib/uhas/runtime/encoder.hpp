@@ -6,9 +6,11 @@
 //   uhas::Status status = encoder.encode(q, action, report);
 //
 // A finger has three or four joints and V + 1 numbers, so most postures have no action that gives them exactly: the
-// report says how far the nearest one found stays away. A posture that a solve with default options made comes back; the rule
-// `contact` is not smooth, and there the descent may stop far from the nearest action: read the report. Constructing may throw and allocates; encoding does neither,
-// takes no lock and reads no clock.
+// report says how far the nearest one found stays away. A posture that a solve by the rule `correspondence` made without
+// holding a joint at a limit comes back. By the rule `contact` about one in a hundred does not: a joint's contact jumps
+// along the deformed profile, and the descent may stop before it. Read the report.
+//
+// Constructing may throw and allocates; encoding does neither, takes no lock and reads no clock.
 #pragma once
 
 #include <memory>

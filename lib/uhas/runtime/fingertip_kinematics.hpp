@@ -13,6 +13,7 @@
 
 #include "uhas/base/errors.hpp"
 #include "uhas/profile/hand_profile.hpp"
+#include "uhas/runtime/instruction_set.hpp"
 
 namespace uhas {
 
@@ -21,7 +22,8 @@ template <class Real>
 class FingertipKinematics {
  public:
   /// Throws Error(invalid_profile) for a profile that `validate_profile` refuses.
-  explicit FingertipKinematics(const HandProfile& profile);
+  /// @param set  what batches use; when it is not available, the widest that is
+  explicit FingertipKinematics(const HandProfile& profile, InstructionSet set = widest_instruction_set());
 
   int joint_count() const noexcept;  ///< length of q: every joint of the profile, mimic followers included
   int finger_count() const noexcept;

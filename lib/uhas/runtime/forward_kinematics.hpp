@@ -17,6 +17,10 @@ RigidTransformd joint_motion(const Joint& joint, double q);
 /// `q` is taken as it is (see `apply_mimics`).
 void forward_kinematics(const KinematicTree& tree, std::span<const double> q, std::span<RigidTransformd> T_root_joint);
 
+/// The same for `joints` alone, increasing indices that hold the parent of each, if it has one.
+void forward_kinematics(const KinematicTree& tree, std::span<const double> q, std::span<const int> joints,
+                        std::span<RigidTransformd> T_root_joint);
+
 /// `q` held within the joint's limits.
 double clamp_to_limits(const Joint& joint, double q);
 

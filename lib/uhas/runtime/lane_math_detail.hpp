@@ -18,12 +18,25 @@ struct SinCos {
   Num sine, cosine;
 };
 
-/// The nearest whole number, ties to even; |x| below 2^22 (float) or 2^51 (double).
+/// A whole number n and what turning by n quarters of a circle does to sine and cosine.
 template <class Num>
-Num round_to_whole(Num x) {
+struct QuarterTurns {
+  Num count;
+  MaskOf<Num> swaps, negates_sine, negates_cosine;
+};
+
+/// The nearest whole number to x, ties to even; |x| below 2^22 (float) or 2^51 (double).
+template <class Num>
+QuarterTurns<Num> quarter_turns(Num x) {
   using Real = LaneReal<Num>;
-  const Num shift(std::is_same_v<Real, float> ? Real(0x1.8p23) : Real(0x1.8p52));  // its last binary digit is worth 1
-  return (x + shift) - shift;
+  // a number so large that its last binary digit is worth 1: the sum's last digits are those of n in two's complement
+  const Num large(std::is_same_v<Real, float> ? Real(0x1.8p23) : Real(0x1.8p52));
+  const Num sum = x + large;
+  const auto n = bits(sum);
+  return {.count = sum - large,
+          .swaps = nonzero<Num>(n & 1),
+          .negates_sine = nonzero<Num>(n & 2),
+          .negates_cosine = nonzero<Num>((n + 1) & 2)};
 }
 
 /// Horner's rule: c_0 x^(n-1) + ... + c_(n-1).
@@ -40,7 +53,8 @@ SinCos<Num> sincos(Num x) {
   using Real = LaneReal<Num>;
   constexpr bool is_float = std::is_same_v<Real, float>;
   // x = n pi/2 + r with |r| <= pi/4; pi/2 in three parts, of which n times the first two is exact
-  const Num n = round_to_whole(x * Num(Real(2 / std::numbers::pi)));
+  const QuarterTurns<Num> quarters = quarter_turns(x * Num(Real(2 / std::numbers::pi)));
+  const Num n = quarters.count;
   Num r = x - n * Num(is_float ? Real(1.5703125) : Real(1.57079632673412561417e+00));
   r = r - n * Num(is_float ? Real(4.837512969970703125e-4) : Real(6.07710050630396597660e-11));
   r = r - n * Num(is_float ? Real(7.5497899548918821616e-8) : Real(2.02226624879595063154e-21));
@@ -61,11 +75,9 @@ SinCos<Num> sincos(Num x) {
                        2.48015872888517045348e-5, -1.38888888888730564116e-3, 4.16666666666665929218e-2);
   }
 
-  const Num quarter = n - Num(4) * round_to_whole(n * Num(Real(0.25)));  // n modulo 4, in -2..2
-  const MaskOf<Num> odd = abs(quarter) == Num(1), half = abs(quarter) == Num(2);
-  const Num sine = select(odd, c, s), cosine = select(odd, s, c);
-  return {.sine = select(half | (quarter == Num(-1)), -sine, sine),
-          .cosine = select(half | (quarter == Num(1)), -cosine, cosine)};
+  const Num sine = select(quarters.swaps, c, s), cosine = select(quarters.swaps, s, c);
+  return {.sine = select(quarters.negates_sine, -sine, sine),
+          .cosine = select(quarters.negates_cosine, -cosine, cosine)};
 }
 
 /// The angle of (x, y) in [-pi, pi], rad. (0, 0) has the angle 0; the sign of a zero is not looked at.

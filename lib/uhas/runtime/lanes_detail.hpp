@@ -9,8 +9,10 @@
 // it.
 #pragma once
 
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 namespace uhas {
 
@@ -101,6 +103,20 @@ bool any(LaneMask<Real, N, Tag> mask) {
 template <class Real, int N, class Tag>
 bool all(LaneMask<Real, N, Tag> mask) {
   return !any(!mask);
+}
+
+/// The bits of each number, as an integer of its size.
+inline std::int32_t bits(float a) { return std::bit_cast<std::int32_t>(a); }
+inline std::int64_t bits(double a) { return std::bit_cast<std::int64_t>(a); }
+template <class Real, int N, class Tag>
+typename LaneMask<Real, N, Tag>::Bits bits(Lanes<Real, N, Tag> a) {
+  return (typename LaneMask<Real, N, Tag>::Bits)a.v;
+}
+
+/// Whether such integers are other than 0.
+template <class Num, class Integers>
+MaskOf<Num> nonzero(Integers a) {
+  return MaskOf<Num>(a != 0);
 }
 
 /// One lane, read and written.

@@ -45,6 +45,9 @@ class Retargeter {
     return Status::ok;
   }
 
+  /// What a retargeting of `q_from` [N][joints of from] would be refused for: ok, wrong_size or non_finite_input.
+  Status check(std::span<const Real> q_from) const noexcept { return encoder_.check(q_from); }
+
  private:
   Encoder<Real> encoder_;
   CascadeSolver<Real> solver_;

@@ -25,6 +25,11 @@ std::vector<double> group_velocities(const KinematicTree& tree, double scale) {
   return velocities;
 }
 
+template <class Real>
+bool is_period(Real dt) {
+  return std::isfinite(dt) && dt > 0;
+}
+
 }  // namespace
 
 template <class Real>
@@ -64,8 +69,8 @@ int SphereController<Real>::joint_count() const noexcept {
 template <class Real>
 Status SphereController<Real>::reset(std::span<const Real> q, std::span<Real> targets) const noexcept {
   const Motions& motions = *motions_;
-  if (q.size() != motions.size() || targets.size() != motions.size()) return Status::wrong_size;
-  if (!is_finite(q)) return Status::non_finite_input;
+  if (targets.size() != motions.size()) return Status::wrong_size;
+  if (const Status status = check(q); status != Status::ok) return status;
   for (std::size_t i = 0; i < motions.size(); ++i)
     if (motions[i].master < 0) targets[i] = std::clamp(q[i], motions[i].lower, motions[i].upper);
   follow(targets);
@@ -74,30 +79,45 @@ Status SphereController<Real>::reset(std::span<const Real> q, std::span<Real> ta
 
 template <class Real>
 Status SphereController<Real>::update(const Action<Real>& action, Real dt, std::span<Real> targets) noexcept {
-  const Motions& motions = *motions_;
-  if (targets.size() != motions.size()) return Status::wrong_size;
-  if (!std::isfinite(dt) || dt <= 0) return Status::invalid_period;
-  if (!is_finite(targets)) return Status::non_finite_input;
+  if (!is_period(dt)) return Status::invalid_period;
+  if (const Status status = check(targets); status != Status::ok) return status;
   if (const Status status = solver_.solve(action, goal_); status != Status::ok) return status;
+  step(goal_, dt, targets);
+  return Status::ok;
+}
 
+template <class Real>
+Status SphereController<Real>::approach(std::span<const Real> solution, Real dt,
+                                        std::span<Real> targets) const noexcept {
+  if (!is_period(dt)) return Status::invalid_period;
+  for (const std::span<const Real> posture : {solution, std::span<const Real>(targets)})
+    if (const Status status = check(posture); status != Status::ok) return status;
+  step(solution, dt, targets);
+  return Status::ok;
+}
+
+// every independent joint one period on toward its goal, its followers after it
+template <class Real>
+void SphereController<Real>::step(std::span<const Real> solution, Real dt, std::span<Real> targets) const noexcept {
+  const Motions& motions = *motions_;
   const Real share = time_constant_ > 0 ? -std::expm1(-dt / time_constant_) : Real(1);
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const Motion& motion = motions[i];
     if (motion.master >= 0) continue;
     const Real from = std::clamp(targets[i], motion.lower, motion.upper);
-    const Real step = share * (std::clamp(goal_[i], motion.goal_lower, motion.goal_upper) - from);
+    const Real way = share * (std::clamp(solution[i], motion.goal_lower, motion.goal_upper) - from);
     const Real longest = motion.velocity * dt;
-    targets[i] = std::clamp(from + std::clamp(step, -longest, longest), motion.lower, motion.upper);
+    targets[i] = std::clamp(from + std::clamp(way, -longest, longest), motion.lower, motion.upper);
   }
   follow(targets);
-  return Status::ok;
 }
 
 template <class Real>
-bool SphereController<Real>::is_finite(std::span<const Real> q) const noexcept {
+Status SphereController<Real>::check(std::span<const Real> q) const noexcept {
+  if (q.size() != motions_->size()) return Status::wrong_size;
   for (std::size_t i = 0; i < q.size(); ++i)
-    if ((*motions_)[i].master < 0 && !std::isfinite(q[i])) return false;
-  return true;
+    if ((*motions_)[i].master < 0 && !std::isfinite(q[i])) return Status::non_finite_input;
+  return Status::ok;
 }
 
 // followers stand where their masters put them

@@ -52,6 +52,9 @@ class SphereController {
   /// @param targets  [joint_count()] out; untouched on any status but ok
   Status reset(std::span<const Real> q, std::span<Real> targets) const noexcept;
 
+  /// What a reset to `q` would be refused for: ok, wrong_size or non_finite_input.
+  Status check(std::span<const Real> q) const noexcept;
+
   /// One control period.
   /// @param action   as CascadeSolver takes it
   /// @param dt       s, since the last update; > 0 and finite, else Status::invalid_period
@@ -59,6 +62,10 @@ class SphereController {
   /// on
   ///                 any status but ok. Within the joints' limits; the elements of followers are not read
   Status update(const Action<Real>& action, Real dt, std::span<Real> targets) noexcept;
+
+  /// The same toward a solution that is there already: a row of a BatchSolver's, when there are many hands.
+  /// @param solution  [joint_count()] rad (m for sliding joints)
+  Status approach(std::span<const Real> solution, Real dt, std::span<Real> targets) const noexcept;
 
  private:
   /// How a joint may move.
@@ -71,7 +78,7 @@ class SphereController {
   };
   using Motions = std::vector<Motion>;
 
-  bool is_finite(std::span<const Real> q) const noexcept;
+  void step(std::span<const Real> solution, Real dt, std::span<Real> targets) const noexcept;
   void follow(std::span<Real> targets) const noexcept;
 
   CascadeSolver<Real> solver_;

@@ -1,84 +1,121 @@
 #include "uhas/wrap/wrap.hpp"
 
 #include <algorithm>
-#include <vector>
 
-#include "uhas/runtime/cascade_plan.hpp"
 #include "uhas/runtime/contact.hpp"
 #include "uhas/runtime/forward_kinematics.hpp"
 
 namespace uhas {
-namespace {
 
-/// The hand in sphere radii while it is wrapped joint by joint.
-class Wrapping {
- public:
-  Wrapping(const Anatomy& anatomy, const SphereFrame& frame, std::span<double> q)
-      : anatomy_(anatomy), frame_(frame), q_(q), T_palm_joint_(q.size()) {}
-
-  void place(const CascadeStep& step, double q_closed) {
-    const Joint& joint = anatomy_.tree.joints[step.joint];
-    const bool closes_upward = joint.upper - q_closed <= q_closed - joint.lower;
-    const JointTravel<double> travel{anatomy_.q_open[step.joint], q_closed, closes_upward ? joint.lower : joint.upper};
-
-    const bool circle = joint.kind != JointKind::prismatic && step.driven.size() == 1 && step.driven.front() == step.joint &&
-                        step.nodes.size() == 1;
-    set(step.joint, circle ? first_contact_with_sphere(circle_of(step), travel)
-                           : first_contact_by_scan<double>([&](double t) { return mean_gap(step, t); }, travel));
-  }
-
- private:
-  void set(int joint, double value) {
-    q_[joint] = value;
-    apply_mimics(anatomy_.tree, q_);
-  }
-
-  /// Point of `node` in S, sphere radii.
-  Vector3d point(const ContactNode& node) const {
-    const FingerAnatomy& finger = anatomy_.fingers[node.finger];
-    const ProfileLink& tip = anatomy_.links[finger.tip_link];
-    const Vector3d p_palm = node.joint >= 0 ? T_palm_joint_[node.joint].translation
-                                            : T_palm_joint_[tip.joint] * (tip.T_joint_link * finger.p_tip_link);
-    return (frame_.T_palm_sphere.inverse() * p_palm) / frame_.radius;
-  }
-
-  Circle<double> circle_of(const CascadeStep& step) {
-    set(step.joint, 0);
-    forward_kinematics(anatomy_.tree, q_, T_palm_joint_);
-    const RigidTransformd T = frame_.T_palm_sphere.inverse() * T_palm_joint_[step.joint];
-    return Circle<double>::about(T.rotation * anatomy_.tree.joints[step.joint].axis, T.translation / frame_.radius,
-                                 point(step.nodes[0]));
-  }
-
-  double mean_gap(const CascadeStep& step, double value) {
-    set(step.joint, value);
-    forward_kinematics(anatomy_.tree, q_, T_palm_joint_);
-    double sum = 0;
-    for (const ContactNode& node : step.nodes) sum += norm(point(node)) - 1;
-    return sum / static_cast<double>(step.nodes.size());
-  }
-
-  const Anatomy& anatomy_;
-  const SphereFrame& frame_;
-  std::span<double> q_;
-  std::vector<RigidTransformd> T_palm_joint_;
-};
-
-}  // namespace
-
-void wrap_on_sphere(const Anatomy& anatomy, const SphereFrame& frame, std::span<const JointClassification> classes,
-                    std::span<const double> q_closed, std::span<double> q) {
+SphereWrapper::SphereWrapper(const Anatomy& anatomy, const SphereFrame& frame,
+                             std::span<const JointClassification> classes, std::span<const double> q_closed)
+    : anatomy_(anatomy),
+      frame_(frame),
+      q_closed_(q_closed),
+      T_sphere_palm_(frame.T_palm_sphere.inverse()),
+      T_palm_joint_(anatomy.tree.joints.size()) {
   std::vector<std::vector<int>> finger_joints;
   for (const FingerAnatomy& finger : anatomy.fingers) finger_joints.push_back(finger.joints);
   std::vector<JointClass> joint_classes;
   for (const JointClassification& c : classes) joint_classes.push_back(c.joint_class);
+  for (std::size_t i = 0; i < joint_classes.size(); ++i)
+    if (joint_classes[i] == JointClass::encompassing) encompassing_.push_back(static_cast<int>(i));
 
-  for (std::size_t i = 0; i < q.size(); ++i)
-    if (joint_classes[i] == JointClass::encompassing) q[i] = anatomy.q_open[i];
-  apply_mimics(anatomy.tree, q);
-  Wrapping wrapping(anatomy, frame, q);
-  for (const CascadeStep& step : plan_cascade(anatomy.tree, finger_joints, joint_classes, anatomy.q_open))
-    wrapping.place(step, q_closed[step.joint]);
+  steps_ = plan_cascade(anatomy.tree, finger_joints, joint_classes, anatomy.q_open);
+  whole_hand_ = scope_of(std::vector<bool>(anatomy.fingers.size(), true));
+  for (std::size_t f = 0; f < anatomy.fingers.size(); ++f) {
+    std::vector<bool> fingers(anatomy.fingers.size());
+    fingers[f] = true;
+    of_finger_.push_back(scope_of(std::move(fingers)));
+  }
+}
+
+// the fingers given and those that share an unknown with them, directly or through others
+SphereWrapper::Scope SphereWrapper::scope_of(std::vector<bool> fingers) const {
+  const auto concerns = [&](const CascadeStep& step) {
+    return std::ranges::any_of(step.fingers, [&](int f) { return fingers[f]; });
+  };
+  for (bool grows = true; grows;) {
+    grows = false;
+    for (const CascadeStep& step : steps_) {
+      if (!concerns(step)) continue;
+      for (int f : step.fingers)
+        if (!fingers[f]) fingers[f] = grows = true;
+    }
+  }
+
+  Scope scope;
+  for (const CascadeStep& step : steps_)
+    if (concerns(step)) scope.steps.push_back(&step);
+  std::vector<bool> needed(anatomy_.tree.joints.size());
+  for (std::size_t f = 0; f < fingers.size(); ++f) {
+    if (!fingers[f]) continue;
+    for (int i : anatomy_.fingers[f].joints) needed[i] = true;
+    if (const int tip = anatomy_.links[anatomy_.fingers[f].tip_link].joint; tip >= 0) needed[tip] = true;
+  }
+  for (std::size_t i = needed.size(); i-- > 0;)
+    if (needed[i] && anatomy_.tree.joints[i].parent >= 0) needed[anatomy_.tree.joints[i].parent] = true;
+  for (std::size_t i = 0; i < needed.size(); ++i)
+    if (needed[i]) scope.joints.push_back(static_cast<int>(i));
+  return scope;
+}
+
+void SphereWrapper::wrap(std::span<double> q) { wrap(whole_hand_, q); }
+
+void SphereWrapper::wrap_finger(int finger, std::span<double> q) { wrap(of_finger_[finger], q); }
+
+void SphereWrapper::wrap(const Scope& scope, std::span<double> q) {
+  for (int i : encompassing_) q[i] = anatomy_.q_open[i];
+  apply_mimics(anatomy_.tree, q);
+  for (const CascadeStep* step : scope.steps) set(q, step->joint, wrapped_value(scope, *step, q));
+}
+
+double SphereWrapper::wrapped_value(const Scope& scope, const CascadeStep& step, std::span<double> q) {
+  const Joint& joint = anatomy_.tree.joints[step.joint];
+  const double q_closed = q_closed_[step.joint];
+  const bool closes_upward = joint.upper - q_closed <= q_closed - joint.lower;
+  const JointTravel<double> travel{anatomy_.q_open[step.joint], q_closed, closes_upward ? joint.lower : joint.upper};
+
+  const bool single = step.driven.size() == 1 && step.driven.front() == step.joint;
+  if (joint.kind != JointKind::prismatic && single && step.nodes.size() == 1) {
+    set(q, step.joint, 0);
+    place(scope, q);
+    const RigidTransformd T = T_sphere_palm_ * T_palm_joint_[step.joint];
+    const auto circle =
+        Circle<double>::about(T.rotation * joint.axis, T.translation / frame_.radius, point(step.nodes[0]));
+    return first_contact_with_sphere(circle, travel);
+  }
+  const auto mean_gap = [&](double value) {
+    set(q, step.joint, value);
+    place(scope, q);
+    double sum = 0;
+    for (const ContactNode& node : step.nodes) sum += norm(point(node)) - 1;
+    return sum / static_cast<double>(step.nodes.size());
+  };
+  return first_contact_by_scan<double>(mean_gap, travel);
+}
+
+void SphereWrapper::set(std::span<double> q, int joint, double value) const {
+  q[joint] = value;
+  apply_mimics(anatomy_.tree, q);
+}
+
+void SphereWrapper::place(const Scope& scope, std::span<const double> q) {
+  forward_kinematics(anatomy_.tree, q, scope.joints, T_palm_joint_);
+}
+
+// point of `node` in S, sphere radii
+Vector3d SphereWrapper::point(const ContactNode& node) const {
+  const FingerAnatomy& finger = anatomy_.fingers[node.finger];
+  const ProfileLink& tip = anatomy_.links[finger.tip_link];
+  const Vector3d p_palm = node.joint >= 0 ? T_palm_joint_[node.joint].translation
+                                          : T_palm_joint_[tip.joint] * (tip.T_joint_link * finger.p_tip_link);
+  return (T_sphere_palm_ * p_palm) / frame_.radius;
+}
+
+void wrap_on_sphere(const Anatomy& anatomy, const SphereFrame& frame, std::span<const JointClassification> classes,
+                    std::span<const double> q_closed, std::span<double> q) {
+  SphereWrapper(anatomy, frame, classes, q_closed).wrap(q);
 }
 
 }  // namespace uhas

@@ -2,8 +2,12 @@
 
 #include <doctest/doctest.h>
 
+#include <random>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "uhas/base/sha256_blocks_detail.hpp"
 
 using uhas::Sha256;
 using uhas::sha256_hex;
@@ -36,4 +40,24 @@ TEST_CASE("SHA-256 does not depend on how the bytes are cut into pieces") {
         pieces.update(bytes_of(message).subspan(at, std::min(piece, size - at)));
       CHECK(whole.finish() == pieces.finish());
     }
+}
+
+TEST_CASE("the processor's own instructions agree with plain code") {
+  using namespace uhas::detail;
+  const Sha256Compress own = sha256_compress_x86();
+  if (!own) {
+    MESSAGE("SKIPPED: this processor has no SHA instructions");
+    return;
+  }
+  std::mt19937_64 random(1);
+  std::vector<std::byte> bytes(20 * kSha256Block);
+  for (std::size_t blocks = 0; blocks <= 20; ++blocks) {
+    Sha256State plain, wide;
+    for (std::uint32_t& word : plain) word = static_cast<std::uint32_t>(random());
+    for (std::byte& byte : bytes) byte = static_cast<std::byte>(random());
+    wide = plain;
+    sha256_compress_portable(plain, std::span(bytes).first(blocks * kSha256Block));
+    own(wide, std::span(bytes).first(blocks * kSha256Block));
+    CHECK(plain == wide);
+  }
 }

@@ -10,8 +10,12 @@
 
 #include "support/mirrored_profile.hpp"
 #include "support/random_action.hpp"
+#include "support/scratch_folder.hpp"
 #include "support/small_profile.hpp"
+#include "uhas/c/uhas.h"
+#include "uhas/profile_io/write_profile.hpp"
 #include "uhas/runtime/batch_solver.hpp"
+#include "uhas/runtime/cascade_solver.hpp"
 #include "uhas/runtime/fingertip_kinematics.hpp"
 #include "uhas/runtime/observation.hpp"
 #include "uhas/runtime/retarget.hpp"
@@ -196,6 +200,30 @@ TEST_CASE("10,000 control periods allocate nothing") {
   counting = false;
   CHECK(allocations == 0);
   CHECK(refused == 200);
+}
+
+TEST_CASE("10,000 calls from C allocate nothing") {
+  test::ScratchFolder folder;
+  write_profile(test::small_profile(), folder.file("small.h5"));
+  uhas_profile* profile = nullptr;
+  uhas_solver* solver = nullptr;
+  REQUIRE(uhas_profile_load(folder.file("small.h5").c_str(), &profile, nullptr, 0) == UHAS_OK);
+  REQUIRE(uhas_solver_create(profile, nullptr, &solver, nullptr, 0) == UHAS_OK);
+  std::mt19937_64 random(8);
+  std::vector<double> action = test::random_action(random, 1, 1), q(5);
+  const double angles[] = {1, 2};
+  uhas_action_options options = UHAS_ACTION_OPTIONS_INIT;
+  options.driving_vectors_phi = angles, options.driving_vectors_size = 2;
+  int refused = 0;
+  allocations = 0;
+  counting = true;
+  for (int n = 0; n < 10000; ++n)
+    refused += uhas_solver_solve(solver, action.data(), n % 10 ? 15 : 14, &options, q.data(), 5, nullptr) != UHAS_OK;
+  counting = false;
+  CHECK(allocations == 0);
+  CHECK(refused == 1000);
+  uhas_solver_free(solver);
+  uhas_profile_free(profile);
 }
 
 #endif

@@ -3,7 +3,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <limits>
+#include <numbers>
 #include <random>
 
 #include "support/arch_profile.hpp"
@@ -15,11 +17,11 @@ using namespace uhas;
 
 namespace {
 
-/// Followers hold nonsense: nobody is to read them.
-std::vector<double> random_posture(const HandProfile& profile, std::mt19937_64& random) {
+/// Followers hold `nonsense`: nobody is to read them.
+std::vector<double> random_posture(const HandProfile& profile, std::mt19937_64& random, double nonsense = 99) {
   std::vector<double> q;
   for (const Joint& joint : profile.tree.joints)
-    q.push_back(joint.mimic_master >= 0 ? std::numeric_limits<double>::quiet_NaN()
+    q.push_back(joint.mimic_master >= 0 ? nonsense
                                         : std::uniform_real_distribution(joint.lower - 0.5, joint.upper + 0.5)(random));
   return q;
 }
@@ -49,28 +51,75 @@ HandProfile parallel_axes_profile() {
   return profile;
 }
 
-std::vector<HandProfile> hands() {
-  return {test::small_profile(), test::mirror_image(test::small_profile()), test::arch_profile(),
-          parallel_axes_profile()};
+/// More joints and fingertip coordinates than any instruction set has lanes, and no multiple of them.
+HandProfile long_finger_profile() {
+  HandProfile profile = test::small_profile();
+  ProfileFinger& thumb = profile.fingers[1];
+  for (int i = 0; i < 6; ++i) {
+    Joint joint = profile.tree.joints[1];
+    joint.name = "extra_" + std::to_string(i);
+    joint.parent = thumb.joints.back();
+    thumb.joints.push_back(static_cast<int>(profile.tree.joints.size()));
+    profile.tree.joints.push_back(joint);
+    profile.joint_traits.push_back(profile.joint_traits[1]);
+  }
+  profile.links[thumb.tip_link].joint = thumb.joints.back();
+  return profile;
 }
 
+std::vector<HandProfile> hands() {
+  return {test::small_profile(), test::mirror_image(test::small_profile()), test::arch_profile(),
+          parallel_axes_profile(), long_finger_profile()};
+}
+
+std::vector<InstructionSet> available_sets() {
+  std::vector<InstructionSet> sets{InstructionSet::scalar, InstructionSet::baseline};
+  if (is_available(InstructionSet::avx2))
+    sets.push_back(InstructionSet::avx2);
+  else
+    MESSAGE("SKIPPED: avx2, which this processor has not");
+  return sets;
+}
+
+template <class Real>
+double largest_error(std::span<const Real> found, std::span<const double> expected) {
+  double worst = 0;
+  for (std::size_t i = 0; i < found.size(); ++i) worst = std::max(worst, std::abs(double(found[i]) - expected[i]));
+  return worst;
+}
+
+/// Single calls, and batches on every instruction set, of no hand, of one, and of more than fill the lanes.
 template <class Real>
 void check_against_frames(double tolerance) {
   std::mt19937_64 random(1);
   for (const HandProfile& profile : hands()) {
-    const FingertipKinematics<Real> kinematics(profile);
-    REQUIRE(kinematics.joint_count() == int(profile.tree.joints.size()));
-    REQUIRE(kinematics.finger_count() == int(profile.fingers.size()));
-    double worst = 0;
-    for (int n = 0; n < 1000; ++n) {
-      const std::vector<double> q = random_posture(profile, random), expected = expected_fingertips(profile, q);
-      const std::vector<Real> q_real(q.begin(), q.end());
-      std::vector<Real> found(expected.size());
-      REQUIRE(kinematics.fingertips(q_real, found) == Status::ok);
-      for (std::size_t i = 0; i < found.size(); ++i) worst = std::max(worst, std::abs(double(found[i]) - expected[i]));
+    std::vector<Real> q;
+    std::vector<double> expected;
+    constexpr std::size_t postures = 1003;
+    for (std::size_t n = 0; n < postures; ++n) {
+      const std::vector<double> posture = random_posture(profile, random), tips = expected_fingertips(profile, posture);
+      q.insert(q.end(), posture.begin(), posture.end());
+      expected.insert(expected.end(), tips.begin(), tips.end());
     }
-    CAPTURE(profile.hand);
-    CHECK(worst <= tolerance);
+    for (const InstructionSet set : available_sets()) {
+      CAPTURE(profile.hand);
+      CAPTURE(to_string(set));
+      const FingertipKinematics<Real> kinematics(profile, set);
+      const std::size_t joints = kinematics.joint_count(), numbers = 3 * kinematics.finger_count();
+      REQUIRE(joints == profile.tree.joints.size());
+      REQUIRE(numbers == 3 * profile.fingers.size());
+      std::vector<Real> found(expected.size());
+      for (std::size_t n = 0; n < postures; ++n)
+        REQUIRE(kinematics.fingertips(std::span(q).subspan(n * joints, joints),
+                                      std::span(found).subspan(n * numbers, numbers)) == Status::ok);
+      CHECK(largest_error<Real>(found, expected) <= tolerance);
+      for (const std::size_t hands_in_batch :
+           {std::size_t(0), std::size_t(1), std::size_t(7), std::size_t(8), postures}) {
+        found.assign(hands_in_batch * numbers, Real(7));
+        REQUIRE(kinematics.fingertips_batch(std::span(q).first(hands_in_batch * joints), found) == Status::ok);
+        CHECK(largest_error<Real>(found, expected) <= tolerance);
+      }
+    }
   }
 }
 
@@ -81,22 +130,21 @@ TEST_CASE("fingertips are where the frames put them") {
   check_against_frames<float>(1e-6);
 }
 
-TEST_CASE("a batch gives what single calls give") {
+TEST_CASE("numbers that wide kernels do not take are treated one hand after the other") {
+  const HandProfile profile = test::small_profile();
   std::mt19937_64 random(2);
-  for (const HandProfile& profile : hands()) {
-    const FingertipKinematics<float> kinematics(profile);
-    const std::size_t joints = kinematics.joint_count(), numbers = 3 * kinematics.finger_count();
-    for (std::size_t count : {0, 1, 7, 8, 9, 64, 100}) {
-      std::vector<float> q;
-      for (std::size_t n = 0; n < count; ++n)
-        for (double value : random_posture(profile, random)) q.push_back(static_cast<float>(value));
-      std::vector<float> batch(count * numbers), one(numbers);
-      REQUIRE(kinematics.fingertips_batch(q, batch) == Status::ok);
-      for (std::size_t n = 0; n < count; ++n) {
-        REQUIRE(kinematics.fingertips(std::span(q).subspan(n * joints, joints), one) == Status::ok);
-        for (std::size_t i = 0; i < numbers; ++i) CHECK(std::abs(batch[n * numbers + i] - one[i]) <= 1e-6f);
-      }
-    }
+  std::vector<double> q, expected;
+  for (int n = 0; n < 20; ++n) {
+    std::vector<double> posture = random_posture(profile, random, std::numeric_limits<double>::quiet_NaN());
+    if (n == 13) posture[0] += 2 * std::numbers::pi * 1000;  // beyond 1000 rad
+    const std::vector<double> tips = expected_fingertips(profile, posture);
+    q.insert(q.end(), posture.begin(), posture.end());
+    expected.insert(expected.end(), tips.begin(), tips.end());
+  }
+  for (const InstructionSet set : available_sets()) {
+    std::vector<double> found(expected.size());
+    REQUIRE(FingertipKinematics<double>(profile, set).fingertips_batch(q, found) == Status::ok);
+    CHECK(largest_error<double>(found, expected) <= 1e-12);
   }
 }
 

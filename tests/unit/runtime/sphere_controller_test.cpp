@@ -213,6 +213,25 @@ TEST_CASE("one controller serves several hands, a copy controls like its origina
   }
 }
 
+TEST_CASE("a solution found elsewhere is approached as an update approaches its own") {
+  const HandProfile profile = limited_profile();
+  SphereController<double> controller(profile, {.range_scale = 0.8, .time_constant = 0.05});
+  std::mt19937_64 random(7);
+  std::vector<double> updated = reference_posture(profile), approached = updated;
+  for (int n = 0; n < 50; ++n) {
+    const std::vector<double> action = test::random_action(random, 0.5, 0.8);
+    REQUIRE(update(controller, action, 0.01, updated) == Status::ok);
+    REQUIRE(controller.approach(solve(profile, action), 0.01, approached) == Status::ok);
+    CHECK(approached == updated);
+  }
+  std::vector<double> bad(5, 0.0);
+  CHECK(controller.approach(bad, 0, approached) == Status::invalid_period);
+  CHECK(controller.approach(std::span(bad).first(4), 0.01, approached) == Status::wrong_size);
+  bad[3] = kNan;
+  CHECK(controller.approach(bad, 0.01, approached) == Status::non_finite_input);
+  CHECK(approached == updated);
+}
+
 TEST_CASE("options out of their range are refused") {
   const HandProfile profile = limited_profile();
   const auto refuses = [&](const SphereControllerOptions& options) {

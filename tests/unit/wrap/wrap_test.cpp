@@ -183,3 +183,35 @@ TEST_CASE("the scale of the hand changes no angle, the axes' signs change only t
     check_same(wrap(scaled(hand, factor), q_closed, {side}, start), wrap(hand, q_closed, {side}, start));
   check_same(wrap(mirrored(hand), q_closed, {side}, start), wrap(hand, q_closed, {side}, start));
 }
+
+TEST_CASE("a finger wrapped alone gets the values it has in the wrapped hand, the other fingers stay open") {
+  // fingers 0 and 1 share the arch, and finger 2's last joint follows one of finger 1: all three hang together;
+  // finger 3 is by itself
+  SphereHand hand;
+  const Vector3d axis{0, -1, 0};
+  const int arch = add_hinge(hand.tree(), -1, {0.3, 0, -1}, axis, -0.5, 1.8);
+  const int first = add_hinge(hand.tree(), arch, {0.8, 0.2, -1}, axis, -1.0, 1.8);
+  const int second = add_hinge(hand.tree(), arch, {0.8, -0.3, -1}, axis, -1.0, 1.8);
+  const int third = add_follower(hand.tree(), -1, {0.5, 0.1, -1}, axis, second, 0.9);
+  hand.add_finger({arch, first}, {1.2, 0.2, -1});
+  hand.add_finger({arch, second}, {1.2, -0.3, -1});
+  hand.add_finger({third}, {1.3, 0.1, -1});
+  const int lone = add_planar_finger(hand, {.root = {0.4, 0, -1}, .lengths = {0.4, 0.3}});
+  hand.anatomy.q_open[first] = 0.1;
+  const std::vector<double> q_closed(hand.anatomy.tree.joints.size(), 1.8);
+  const auto classes = classes_with(hand, {});
+  SphereWrapper wrapper(hand.anatomy, hand.frame, classes, q_closed);
+
+  std::vector<double> whole(q_closed.size());
+  wrapper.wrap(whole);
+  CHECK(whole == wrap(hand, q_closed));
+  for (int finger = 0; finger < int(hand.anatomy.fingers.size()); ++finger) {
+    std::vector<double> expected = hand.anatomy.q_open, alone(q_closed.size(), 0.5);
+    for (int other = 0; other < int(hand.anatomy.fingers.size()); ++other)
+      if ((other == lone) == (finger == lone))
+        for (int joint : hand.anatomy.fingers[other].joints) expected[joint] = whole[joint];
+    wrapper.wrap_finger(finger, alone);
+    CAPTURE(finger);
+    CHECK(alone == expected);
+  }
+}

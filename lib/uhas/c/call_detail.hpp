@@ -1,0 +1,176 @@
+// What the functions of uhas.h share: exceptions become codes and a line of text, options are read as long as they are.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <exception>
+#include <new>
+#include <span>
+#include <string>
+#include <type_traits>
+
+#include "uhas/base/errors.hpp"
+#include "uhas/c/uhas.h"
+#include "uhas/runtime/cascade_solver.hpp"
+
+struct uhas_profile {
+  uhas::HandProfile profile;
+};
+
+namespace uhas::c {
+
+/// A caller's buffer for one line of text.
+struct Message {
+  char* text;
+  std::size_t size;
+
+  /// Cut to the buffer, between characters of UTF-8.
+  void write(const std::string& line) const noexcept {
+    if (text == nullptr || size == 0) return;
+    std::size_t length = std::min(line.size(), size - 1);
+    const auto continues = [&](std::size_t i) { return (static_cast<unsigned char>(line[i]) & 0xC0) == 0x80; };
+    while (length > 0 && length < line.size() && continues(length)) --length;
+    std::memcpy(text, line.data(), length);
+    text[length] = '\0';
+  }
+};
+
+[[noreturn]] inline void refuse(const std::string& problem, const std::string& remedy) {
+  throw Error(ErrorCode::invalid_option, "", problem, remedy);
+}
+
+/// Runs `make`, which returns a handle or throws; `handle` becomes NULL when it throws.
+template <class Handle, class Make>
+int create(Handle** handle, Message message, Make&& make) noexcept {
+  if (handle == nullptr) {
+    message.write("the address of the handle is NULL");
+    return UHAS_ERROR_INVALID_OPTION;
+  }
+  *handle = nullptr;
+  try {
+    *handle = make();
+    return UHAS_OK;
+  } catch (const Error& error) {
+    message.write(error.what());
+    return static_cast<int>(error.code());
+  } catch (const std::bad_alloc&) {
+    message.write("out of memory");
+    return UHAS_ERROR_OUT_OF_MEMORY;
+  } catch (const std::exception& error) {
+    message.write(error.what());
+    return UHAS_ERROR_INTERNAL;
+  } catch (...) {
+    message.write("an unknown exception");
+    return UHAS_ERROR_INTERNAL;
+  }
+}
+
+inline const HandProfile& profile_of(const uhas_profile* profile) {
+  if (profile == nullptr) refuse("the profile is NULL", "load one");
+  return profile->profile;
+}
+
+/// Whether the options of the caller, who may have an older header, hold nothing that this library does not know.
+template <class Options>
+bool is_known(const Options& given) noexcept {
+  return given.struct_size >= sizeof(std::size_t) && given.struct_size <= sizeof(Options);
+}
+
+/// `options` overwritten by those given, as far as they go.
+template <class Options>
+void overwrite(Options& options, const Options* given) noexcept {
+  if (given != nullptr) std::memcpy(&options, given, given->struct_size);
+}
+
+template <class Options>
+Options read_options(const Options* given, Options options) {
+  if (given != nullptr && !is_known(*given))
+    refuse("struct_size is " + std::to_string(given->struct_size),
+           "initialise options by their _INIT; a newer program needs a newer library");
+  overwrite(options, given);
+  return options;
+}
+
+inline SolveOptions solve_options(const uhas_solve_options* given) {
+  const uhas_solve_options options = read_options(given, UHAS_SOLVE_OPTIONS_INIT);
+  for (int choice : {options.rule, options.closing, options.field})
+    if (choice != 0 && choice != 1) refuse("a rule, closing or field is " + std::to_string(choice), "choose 0 or 1");
+  return {.rule = static_cast<Rule>(options.rule),
+          .closing = static_cast<Closing>(options.closing),
+          .field = static_cast<FieldReading>(options.field),
+          .passes = options.passes};
+}
+
+/// An array and its size; empty when there is none.
+template <class Real>
+std::span<Real> array(Real* elements, std::size_t size) noexcept {
+  return elements == nullptr ? std::span<Real>() : std::span<Real>(elements, size);
+}
+
+/// How many rows of `row` elements `size` elements are; -1 when they are not whole rows.
+inline std::ptrdiff_t rows_of(std::size_t size, std::size_t row) noexcept {
+  return row > 0 && size % row == 0 ? static_cast<std::ptrdiff_t>(size / row) : -1;
+}
+
+/// A set of actions: rows of equal length, read in one way.
+template <class Real>
+class Actions {
+ public:
+  Actions(const Real* values, std::size_t size, const uhas_action_options* given, std::size_t hands) noexcept
+      : values_(array(values, size)), row_(hands > 0 ? size / hands : 0) {
+    fits_ = values_.size() == row_ * hands && (given == nullptr || is_known(*given));
+    uhas_action_options options = UHAS_ACTION_OPTIONS_INIT;
+    if (fits_) overwrite(options, given);
+    normalized_ = options.normalized != 0;
+    angles_ = options.driving_vectors_phi == nullptr ? 0 : options.driving_vectors_size;
+    fits_ = fits_ && angles_ <= phi_.size();
+    for (std::size_t j = 0; fits_ && j < angles_; ++j) phi_[j] = static_cast<Real>(options.driving_vectors_phi[j]);
+  }
+
+  /// Whether the sizes agree.
+  bool fits() const noexcept { return fits_; }
+  bool are_finite() const noexcept {
+    return std::all_of(values_.begin(), values_.end(), [](Real value) { return std::isfinite(value); });
+  }
+  Action<Real> operator[](std::size_t hand) const noexcept {
+    return {values_.subspan(hand * row_, row_), angles(), normalized_};
+  }
+
+  std::span<const Real> values() const noexcept { return values_; }
+  std::span<const Real> angles() const noexcept { return std::span(phi_).first(angles_); }
+  bool normalized() const noexcept { return normalized_; }
+
+  /// V; 0 when no V makes rows so long.
+  int driving_vectors() const noexcept {
+    return row_ % kSlotCount == 0 && row_ > kSlotCount ? static_cast<int>(row_ / kSlotCount) - 1 : 0;
+  }
+
+ private:
+  std::span<const Real> values_;
+  std::size_t row_;
+  std::array<Real, kSlotCount * kMaxDrivingVectors> phi_{};
+  std::size_t angles_ = 0;
+  bool normalized_ = false, fits_ = false;
+};
+
+/// One object in both precisions.
+template <template <class> class Job>
+struct Both {
+  template <class... Arguments>
+  explicit Both(const Arguments&... arguments) : in_double(arguments...), in_float(arguments...) {}
+
+  Job<double> in_double;
+  Job<float> in_float;
+
+  template <class Real>
+  Job<Real>& in() noexcept {
+    if constexpr (std::is_same_v<Real, double>)
+      return in_double;
+    else
+      return in_float;
+  }
+};
+
+}  // namespace uhas::c

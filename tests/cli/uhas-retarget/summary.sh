@@ -1,0 +1,6 @@
+# with a file for the result, the summary is what is printed
+names=$(/usr/bin/python3 -c 'import json; print(json.dumps([f"{f}_joint_{i}" for f in ("index", "middle", "ring", "thumb") for i in range(4)]))')
+echo "{\"format\":\"uhas-trajectory\",\"version\":1,\"joint_names\":$names,\"q\":[]}" > empty.json
+uhas-retarget --from profile/allegro_right.h5 --to profile/allegro_right.h5 empty.json -o out.json --json
+uhas-retarget --from profile/allegro_right.h5 --to profile/allegro_right.h5 empty.json -o out.json
+uhas-retarget --from profile/allegro_right.h5 --to profile/allegro_right.h5 empty.json | grep -v joint_names

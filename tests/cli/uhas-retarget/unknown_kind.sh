@@ -1,0 +1,1 @@
+uhas-retarget --from profile/allegro_right.h5 --to profile/allegro_right.h5 trajectory.csv

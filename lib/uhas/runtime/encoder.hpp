@@ -34,7 +34,7 @@ class Encoder {
  public:
   /// @param options          of the solver whose inverse this is
   /// @param driving_vectors  V, 1 to 4, at their default angles pi j / (V + 1)
-  /// Throws Error: as CascadeSolver; invalid_action for V out of range.
+  /// Throws Error: as CascadeSolver; invalid_action for V out of range and for an action convention other than uhas' own.
   explicit Encoder(const HandProfile& profile, const SolveOptions& options = {}, int driving_vectors = 2);
   Encoder(const Encoder& other);
   Encoder& operator=(const Encoder& other);

@@ -15,10 +15,15 @@ struct Relation {
   bool mirrored = false;
 };
 
-/// Checks that both have the same slots, classes, tables, correspondences and solutions (design, section 4), but for
-/// `relation`; prints by how much they differ.
+/// How far two hands are followed.
+enum class Extent {
+  tables,    ///< slots, classes, poses and lateral tables
+  solutions  ///< what rays hit, and solutions, too
+};
+
+/// Checks that both are the same (design, section 4) but for `relation`; prints by how much they differ.
 /// @param what  names the change in the printed line
 void check_same_hand(const HandProfile& original, const HandProfile& changed, const Relation& relation,
-                     const std::string& what);
+                     const std::string& what, Extent extent = Extent::solutions);
 
 }  // namespace uhas::test

@@ -45,6 +45,15 @@ inline HandModel scaled(HandModel model, double scale) {
   return model;
 }
 
+/// A rotation drawn uniformly, with a shift of some hand sizes.
+inline RigidTransformd random_pose(std::mt19937_64& random) {
+  std::normal_distribution<double> normal;
+  const Vector3d x = normalized(Vector3d{normal(random), normal(random), normal(random)});
+  const Vector3d y = normalized(orthogonal_part(Vector3d{normal(random), normal(random), normal(random)}, x));
+  return {Rotationd::from_columns(x, y, cross(x, y)),
+          {0.3 * normal(random), 0.3 * normal(random), 0.3 * normal(random)}};
+}
+
 /// The root frame elsewhere: `T_new_old` maps old root coordinates to new ones.
 inline HandModel with_moved_root(HandModel model, const RigidTransformd& T_new_old) {
   for (Joint& joint : model.tree.joints)
@@ -91,6 +100,28 @@ inline HandModel with_moved_zeros(HandModel model, const std::vector<double>& of
   return model;
 }
 
+/// The frame of every joint, and of every link fixed behind it, turned at random; the link frames of movable joints
+/// stay those joints' frames, as in a URDF.
+inline HandModel with_turned_frames(HandModel model, std::mt19937_64& random) {
+  std::vector<Rotationd> R_old_new;
+  for (Joint& joint : model.tree.joints) {
+    R_old_new.push_back(random_pose(random).rotation);
+    joint.T_parent_joint = joint.T_parent_joint * RigidTransformd{R_old_new.back(), {}};
+    joint.axis = R_old_new.back().transposed() * joint.axis;
+    if (joint.parent >= 0)
+      joint.T_parent_joint = RigidTransformd{R_old_new[joint.parent].transposed(), {}} * joint.T_parent_joint;
+  }
+  for (ModelLink& link : model.links) {
+    if (link.joint < 0) continue;
+    const bool is_joint_frame = link.parent_link < 0 || model.links[link.parent_link].joint != link.joint;
+    const Rotationd R_link = is_joint_frame ? R_old_new[link.joint] : random_pose(random).rotation;
+    link.T_joint_link =
+        RigidTransformd{R_old_new[link.joint].transposed(), {}} * link.T_joint_link * RigidTransformd{R_link, {}};
+    for (Vector3d& vertex : link.mesh.vertices) vertex = R_link.transposed() * vertex;
+  }
+  return model;
+}
+
 /// Siblings in the opposite order, as if every name sorted the other way.
 inline HandModel with_reversed_siblings(const HandModel& model) {
   std::vector<int> old_links;  // in their new order: depth first from the root, last sibling first
@@ -123,15 +154,6 @@ inline HandModel with_reversed_siblings(const HandModel& model) {
     result.tree.joints[i].mimic_master = renumber(result.tree.joints[i].mimic_master, new_joint);
   }
   return result;
-}
-
-/// A rotation drawn uniformly, with a shift of some hand sizes.
-inline RigidTransformd random_pose(std::mt19937_64& random) {
-  std::normal_distribution<double> normal;
-  const Vector3d x = normalized(Vector3d{normal(random), normal(random), normal(random)});
-  const Vector3d y = normalized(orthogonal_part(Vector3d{normal(random), normal(random), normal(random)}, x));
-  return {Rotationd::from_columns(x, y, cross(x, y)),
-          {0.3 * normal(random), 0.3 * normal(random), 0.3 * normal(random)}};
 }
 
 }  // namespace uhas::test

@@ -32,6 +32,7 @@ struct SphereHand {
     anatomy.fingers.push_back(finger);
     anatomy.q_open.resize(anatomy.tree.joints.size());
     frame.names.push_back("finger" + std::to_string(anatomy.fingers.size()));
+    frame.own_slot.push_back(static_cast<int>(frame.own_slot.size()));
     return static_cast<int>(anatomy.fingers.size()) - 1;
   }
 

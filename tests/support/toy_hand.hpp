@@ -49,13 +49,13 @@ class ToyModel {
     return static_cast<int>(model_.links.size()) - 1;
   }
 
-  /// Adds a box to the mesh of `link`.
-  void add_box(int link, Vector3d center, Vector3d size) {
+  /// Adds a box, turned by `rotation`, to the mesh of `link`.
+  void add_box(int link, Vector3d center, Vector3d size, const Rotationd& rotation = {}) {
     TriangleMesh& mesh = model_.links[link].mesh;
     const auto base = static_cast<std::uint32_t>(mesh.vertices.size());
     for (unsigned i = 0; i < 8; ++i)
-      mesh.vertices.push_back(center + Vector3d{(i & 1 ? 0.5 : -0.5) * size.x, (i & 2 ? 0.5 : -0.5) * size.y,
-                                                (i & 4 ? 0.5 : -0.5) * size.z});
+      mesh.vertices.push_back(center + rotation * Vector3d{(i & 1 ? 0.5 : -0.5) * size.x, (i & 2 ? 0.5 : -0.5) * size.y,
+                                                           (i & 4 ? 0.5 : -0.5) * size.z});
     constexpr std::uint32_t faces[12][3] = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
                                             {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
     for (const auto& face : faces) mesh.triangles.push_back({base + face[0], base + face[1], base + face[2]});

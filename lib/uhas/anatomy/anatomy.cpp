@@ -7,9 +7,12 @@
 
 #include "uhas/anatomy/config_names.hpp"
 #include "uhas/anatomy/digits_detail.hpp"
+#include "uhas/anatomy/extension_detail.hpp"
 #include "uhas/anatomy/fingertip_detail.hpp"
+#include "uhas/anatomy/normal_error_detail.hpp"
 #include "uhas/anatomy/open_pose_detail.hpp"
 #include "uhas/anatomy/palm_plane.hpp"
+#include "uhas/anatomy/palm_slab_detail.hpp"
 #include "uhas/anatomy/palm_tree_detail.hpp"
 #include "uhas/runtime/forward_kinematics.hpp"
 
@@ -19,6 +22,12 @@ namespace {
 /// A thumb whose root and tip are within 20 degrees of straight ahead or straight against the fingers makes neither a
 /// right nor a left hand.
 constexpr double kHandedAzimuth = 20 * std::numbers::pi / 180;
+
+/// A palm normal with a standard error of 12 degrees has confidence 0.5: one of five such is off by 15 degrees or more.
+constexpr double kDoubtfulError = 12 * std::numbers::pi / 180;
+
+/// From this margin on the side to which a thumb closes is clear; the largest is 2.
+constexpr double kClearThumbSide = 0.6;
 
 double root_azimuth(const PalmPlane& plane, int finger) {
   const Vector3d p = plane.roots[finger] - plane.center;
@@ -135,21 +144,42 @@ class AnatomyInference {
       center += flexion_origin(anatomy_, finger, flexions_.back()) / static_cast<double>(count());
       mean_length_ += finger_length(anatomy_, finger) / static_cast<double>(count());
     }
-    for (std::size_t i = 0; i < count(); ++i) find_closing_side(anatomy_, anatomy_.fingers[i], center, flexions_[i]);
+    zero_is_straight_ = are_straight_at_zero();
+    for (std::size_t i = 0; i < count(); ++i)
+      find_closing_side(anatomy_, anatomy_.fingers[i], center, zero_is_straight_, flexions_[i]);
     agree_on_closing_side(anatomy_, flexions_);
+    slab_ = find_palm_slab(model_, anatomy_, center);
     extend_fingers();
   }
 
-  /// Straightens every finger for the present values of its side joints.
+  /// Straightens every finger for the present values of its side joints; what several fingers share stands in the
+  /// middle of what they want.
   void extend_fingers() {
-    known_base_.clear();
+    const BaseEvidence evidence = {zero_is_straight_, slab_};
+    std::vector<double> sum(q_.size(), 0.0), wanted(q_.size(), 0.0);
     for (std::size_t i = 0; i < count(); ++i) {
       std::vector<double> extended = q_;
-      known_base_.push_back(extend_finger(anatomy_, anatomy_.fingers[i], flexions_[i], extended));
-      for (int joint : anatomy_.fingers[i].joints)
-        if (const int variable = variable_of(anatomy_.tree, joint); !held_[variable]) q_[variable] = extended[variable];
+      extend_finger(anatomy_, anatomy_.fingers[i], evidence, flexions_[i], extended);
+      const int base = anatomy_.fingers[i].joints[flexions_[i].positions.front()];
+      if (held_[variable_of(anatomy_.tree, base)]) flexions_[i].base_error = 0, flexions_[i].base_is_guess = false;
+      for (int joint : anatomy_.fingers[i].joints) {
+        const int variable = variable_of(anatomy_.tree, joint);
+        sum[variable] += extended[variable];
+        ++wanted[variable];
+      }
     }
+    for (std::size_t i = 0; i < q_.size(); ++i)
+      if (wanted[i] > 0 && !held_[i]) q_[i] = sum[i] / wanted[i];
     apply_mimics(anatomy_.tree, q_);
+  }
+
+  /// Whether most of the fingers whose phalanges can tell are straight at zero.
+  bool are_straight_at_zero() const {
+    int votes = 0;
+    for (std::size_t i = 0; i < count(); ++i)
+      if (const auto straight = is_straight_at_zero(anatomy_, anatomy_.fingers[i], flexions_[i], q_))
+        votes += *straight ? 1 : -1;
+    return votes > 0;
   }
 
   std::vector<FingerPosture> measure_postures() {
@@ -168,12 +198,13 @@ class AnatomyInference {
     PalmNormal found = find_palm_normal(postures_, anatomy_.thumb);
     if (config_.palm_normal_in_root) found.normal = set_normal(*config_.palm_normal_in_root);
     for (int round = 0; round < rounds && !config_.palm_normal_in_root; ++round) {
-      q_ = find_open_pose(anatomy_, flexions_, found.normal, Bases::held, q_, held_);
+      q_ = find_open_pose(anatomy_, flexions_, found, zero_is_straight_, Bases::held, q_, held_);
       extend_fingers();
       postures_ = measure_postures();
       found = find_palm_normal(postures_, anatomy_.thumb);
     }
-    q_ = find_open_pose(anatomy_, flexions_, found.normal, Bases::searched, q_, held_);
+    turn_thumb_to(found.normal);
+    q_ = find_open_pose(anatomy_, flexions_, found, zero_is_straight_, Bases::searched, q_, held_);
     postures_ = measure_postures();
     if (!config_.palm_normal_in_root) set_normal(anatomy_.T_root_palm.rotation * found.normal);
     anatomy_.q_open = q_;
@@ -191,6 +222,21 @@ class AnatomyInference {
                                    ? unit_direction(*stated_tips_[i]->pad_normal)
                                    : T_palm_tip.rotation.transposed() * postures_[i].closing;
     }
+  }
+
+  /// A thumb closes to the side that faces the palm normal, when that tells more than the ranges of its joints.
+  void turn_thumb_to(Vector3d normal) {
+    if (anatomy_.thumb < 0) return;
+    Flexion& flexion = flexions_[anatomy_.thumb];
+    const auto facing = [&] { return dot(measure_postures()[anatomy_.thumb].closing, normal); };
+    const double before = facing();
+    flexion.closing_sign = -flexion.closing_sign;
+    extend_fingers();
+    const double gain = (facing() - before) / 2;
+    thumb_side_margin_ = std::abs(gain - flexion.evidence);
+    if (gain > flexion.evidence) return;
+    flexion.closing_sign = -flexion.closing_sign;
+    extend_fingers();
   }
 
   void choose_thumb() {
@@ -220,14 +266,11 @@ class AnatomyInference {
     };
     const std::string value = number(n.x) + " " + number(n.y) + " " + number(n.z);
     if (config_.palm_normal_in_root) return note("palm_normal_in_root", value, kStatedInConfig, 1);
-    constexpr double guess = 0.45;  // the angle of the fingers' bases to the palm may be 15 degrees off
     double evidence = 0;
-    bool known = false;
-    for (std::size_t i = 0; i < count(); ++i) {
-      evidence += flexions_[i].evidence / static_cast<double>(count());
-      if (static_cast<int>(i) != anatomy_.thumb && known_base_[i]) known = true;
-    }
-    const double confidence = std::min({found.coherence, 2 * evidence, known ? 1.0 : guess});
+    for (const Flexion& flexion : flexions_) evidence += flexion.evidence / static_cast<double>(count());
+    const NormalWitnesses witnesses = {flexions_, postures_, slab_, zero_is_straight_};
+    const double error = palm_normal_error(anatomy_, found, witnesses, q_) / kDoubtfulError;
+    const double confidence = found.coherence * std::min(1.0, 2 * evidence) / (1 + error * error);
     note("palm_normal_in_root", value,
          found.opposing ? "the axis around which opposing fingers close"
                         : "mean direction in which the fingers close, the side of their larger joint ranges",
@@ -247,7 +290,7 @@ class AnatomyInference {
          "each finger straight in the palm plane with its pad toward the palm normal" +
              (config_.q_open.empty() ? std::string()
                                      : "; " + count_joints(config_.q_open.size()) + " " + kStatedInConfig),
-         std::clamp(openness, 0.0, 1.0));
+         std::clamp(std::min(openness, thumb_side_margin_ / kClearThumbSide), 0.0, 1.0));
   }
 
   void name_digits() {
@@ -302,8 +345,10 @@ class AnatomyInference {
   double mean_length_ = 0;                           ///< of the fingers
   std::vector<const StatedFingertip*> stated_tips_;  ///< one a finger; null = inferred
   std::vector<Flexion> flexions_;                    ///< one a finger
-  std::vector<bool> known_base_;                     ///< one a finger: the angle of its base to the palm is no guess
-  std::vector<FingerPosture> postures_;              ///< one a finger, at `q_`
+  bool zero_is_straight_ = false;                    ///< the hand's designer put straight fingers at zero
+  std::optional<PalmSlab> slab_;
+  double thumb_side_margin_ = 1;         ///< 0..1: how clearly the thumb closes to one side
+  std::vector<FingerPosture> postures_;  ///< one a finger, at `q_`
   std::vector<double> q_;
   std::vector<bool> held_;  ///< joints whose open value the config sets
   FingerPose scratch_;

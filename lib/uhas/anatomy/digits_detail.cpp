@@ -14,6 +14,8 @@ constexpr double kRowCoherence = 0.8;
 /// A thumb that closes this exactly against two fingers makes a gripper (cosine of 20 degrees).
 constexpr double kOpposed = 0.94;
 
+double angle_between(Vector3d a, Vector3d b) { return std::atan2(norm(cross(a, b)), dot(a, b)); }
+
 /// 1 for neighbours in a row: same direction, same closing side, knuckles side by side; down to -1.
 double likeness(const FingerPosture& a, const FingerPosture& b, double finger_length) {
   const Vector3d along = normalized(a.direction + b.direction);
@@ -50,7 +52,7 @@ Thumb find_thumb(std::span<const FingerPosture> postures, double finger_length) 
     }
   }
   const double margin = std::min((thumb.likeness - kRowLikeness) / 0.2, (thumb.difference - kThumbDifference) / 0.3);
-  thumb.confidence = std::clamp(0.5 + 0.5 * std::abs(margin), 0.0, 1.0);
+  thumb.confidence = std::min(1.0, 0.4 + std::abs(margin));
   if (margin < 0) thumb.finger = -1;
   return thumb;
 }
@@ -71,7 +73,12 @@ PalmNormal find_palm_normal(std::span<const FingerPosture> postures, int thumb) 
     // Fingers side by side agree in direction, fingers all around have axes that cancel; else some of them may be a
     // thumb.
     const double in_row = norm(direction) / count, around = 1 - norm(axis) / count;
-    return {normalized(closing), false, coherence * std::max(in_row * in_row, around * around)};
+    const Vector3d normal = normalized(closing);
+    double squares = 0;
+    for (int i = 0; i < static_cast<int>(postures.size()); ++i)
+      if (i != thumb) squares += std::pow(angle_between(postures[i].closing, normal), 2);
+    return {normal, false, coherence * std::max(in_row * in_row, around * around), normalized(axis),
+            std::sqrt(squares / (count * std::max(count - 1, 1)))};
   }
 
   // Opposing fingers swing through the axis they close around: outward, then along it, then inward. Closing direction
@@ -86,7 +93,7 @@ PalmNormal find_palm_normal(std::span<const FingerPosture> postures, int thumb) 
     axes += posture.axis / same_side;
     weights += 1 / same_side;
   }
-  return {normalized(sum), true, std::min(1.0, norm(sum) / weights) * (1 - norm(axes) / weights)};
+  return {normalized(sum), true, std::min(1.0, norm(sum) / weights) * (1 - norm(axes) / weights), {}, 0};
 }
 
 int find_middle_finger(std::span<const FingerPosture> postures, int thumb, Vector3d normal) {

@@ -21,6 +21,8 @@ struct PalmNormal {
   Vector3d normal;
   bool opposing = false;  ///< the fingers close against each other, as a gripper's
   double coherence = 0;   ///< 0..1: how well the fingers agree on it
+  Vector3d axis;          ///< mean flexion axis of fingers in a row, unit
+  double spread = 0;      ///< standard error of their mean closing direction (rad)
 };
 
 /// The mean closing direction of fingers that stand in a row; for opposing fingers the axis that they close around.

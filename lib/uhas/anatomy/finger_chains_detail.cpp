@@ -16,7 +16,7 @@ constexpr double kShortestFinger = 0.35;
 /// A branch that only follows other joints is a linkage leaf unless it is nearly as long as the longest.
 constexpr double kShortestFollower = 0.6;
 /// A last joint that carries less than this part of its finger's length is no phalanx.
-constexpr double kShortestPhalanx = 0.08;
+constexpr double kShortestPhalanx = 0.05;
 
 /// Lengths and branching of the model's tree of joints. Every length is independent of the pose.
 class Branches {
@@ -89,6 +89,7 @@ class ChainCollector {
     const double longest = branches_.longest_child(chain.back());
     for (int child : branches_.children(chain.back())) {
       const double reach = branches_.reach(child);
+      judge(reach, kShortestPhalanx * finger_length);
       if (reach < kShortestPhalanx * finger_length) continue;
       if (reach >= longest) {
         next.insert(next.begin(), child);

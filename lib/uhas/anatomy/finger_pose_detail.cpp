@@ -27,9 +27,9 @@ std::vector<double> mid_pose(const KinematicTree& tree) {
   return q;
 }
 
-double preferred_value(const Joint& joint, double tolerance, const std::function<double(double)>& objective) {
+double preferred_value(const Joint& joint, double tolerance, bool zero_is_neutral,
+                       const std::function<double(double)>& objective) {
   constexpr int samples = 24;
-  constexpr double near_middle = 0.3;  // of half the range
   const auto at = [&](int i) {  // the ends exactly, whatever rounding makes of the steps
     return i == samples ? joint.upper : joint.lower + (joint.upper - joint.lower) * i / samples;
   };
@@ -56,11 +56,8 @@ double preferred_value(const Joint& joint, double tolerance, const std::function
   if (value[best] >= maximum) optimum = at(best), maximum = value[best];
 
   const double middle = mid_range(joint);
-  const bool flat = maximum - *std::min_element(value.begin(), value.end()) <= tolerance;
-  const bool zero_in_middle = std::abs(middle) <= near_middle * (joint.upper - joint.lower) / 2;
-  if (flat) return zero_in_middle ? 0 : middle;
   const bool zero_in_range = joint.lower <= 0 && joint.upper >= 0;
-  if (zero_in_range && objective(0) >= maximum - tolerance) return 0;
+  if (zero_is_neutral && zero_in_range && objective(0) >= maximum - tolerance) return 0;
   return objective(middle) >= maximum - tolerance ? middle : clamp_to_limits(joint, optimum);
 }
 

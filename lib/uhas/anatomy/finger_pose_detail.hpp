@@ -24,7 +24,9 @@ std::vector<double> mid_pose(const KinematicTree& tree);
 /// The value of `joint` that a designer would call neutral among those that do well: zero when its
 /// `objective` is within `tolerance` of the best of the range; on a flat objective the middle of the range, unless zero
 /// lies near it; else the best value.
-double preferred_value(const Joint& joint, double tolerance, const std::function<double(double)>& objective);
+/// @param zero_is_neutral  false on a hand whose zeros say nothing: then zero is a value like others
+double preferred_value(const Joint& joint, double tolerance, bool zero_is_neutral,
+                       const std::function<double(double)>& objective);
 
 /// Joints of one finger in a pose.
 struct FingerPose {

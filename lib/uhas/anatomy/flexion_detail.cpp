@@ -12,59 +12,21 @@ namespace {
 
 /// A joint turns the tip when the tip is this part of the finger's length off its axis.
 constexpr double kShortestArm = 0.1;
+/// Flexion joints turn up to this far (rad); what a joint turns beyond that rolls the finger.
+constexpr double kWidestFlexion = 2;
 /// Flexion axes are parallel within 30 degrees: side joints between them stand at mid range, which need not be neutral.
 constexpr double kParallel = 0.866;
-/// A straight phalanx at zero may be this part shorter than the longest reach: fingertips are offset from the joint's
-/// line.
-constexpr double kStraightTolerance = 0.015;
-/// Fingers bend back at most this far (rad); a zero so near to the open end is where the designer put "straight".
-constexpr double kHyperextension = 0.4;
-/// Where "straight" lies from the open end on when zero does not tell (rad).
-constexpr double kTypicalHyperextension = 0.15;
+/// What straightens a phalanx to a tolerance of its reach is no further from straight than this (rad): short phalanges
+/// bend far before they cost reach.
+constexpr double kStraightAngle = 0.15;
 
 /// Ranges that differ by this part of their sum tell the closing side.
 constexpr double kClearAsymmetry = 0.3;
-/// A side joint's axis tells how the palm lies when it is within 25 degrees of a right angle to where the finger seems
-/// to be.
-constexpr double kSideAxisDeviation = 0.44;
-/// From this part of the finger's length on, what lies between its root and its first flexion joint is a phalanx too,
-/// and the finger is straight when it continues that.
-constexpr double kShortestMetacarpal = 0.15;
+/// What they tell at most when "extended" is only where the finger points away from the hand.
+constexpr double kOutwardEvidence = 0.3;
 
-/// Signed rate of flexion joint `position` per unit of its variable, seen along the last flexion axis.
-double flexion_rate(const Anatomy& anatomy, const FingerAnatomy& finger, const FingerPose& pose, int position,
-                    int last) {
-  const Joint& joint = anatomy.tree.joints[finger.joints[position]];
-  const double sense = dot(pose.axis[position], pose.axis[last]) < 0 ? -1.0 : 1.0;
-  return sense * (joint.mimic_master >= 0 ? joint.mimic_multiplier : 1.0);
-}
-
-/// Straightens the flexion joints beyond the first: from the last inward, each variable puts the tip farthest from the
-/// joint before those that it drives. Returns the variables that were set.
-std::vector<int> straighten(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion,
-                            std::span<double> q) {
-  const auto variable_at = [&](std::size_t i) {
-    return variable_of(anatomy.tree, finger.joints[flexion.positions[i]]);
-  };
-  const double tolerance = kStraightTolerance * finger_length(anatomy, finger);
-  std::vector<int> set;
-  FingerPose pose;
-  for (std::size_t i = flexion.positions.size(); i-- > 1;) {
-    const int variable = variable_at(i);
-    if (std::find(set.begin(), set.end(), variable) != set.end()) continue;
-    std::size_t first_driven = 0;
-    while (variable_at(first_driven) != variable) ++first_driven;
-    const int base = flexion.positions[first_driven == 0 ? 0 : first_driven - 1];
-    const auto reach = [&](double value) {
-      set_joint(anatomy.tree, variable, value, q);
-      pose_finger(anatomy, finger, q, pose);
-      return norm(pose.tip - pose.origin[base]);
-    };
-    set_joint(anatomy.tree, variable, preferred_value(anatomy.tree.joints[variable], tolerance, reach), q);
-    set.push_back(variable);
-  }
-  return set;
-}
+/// A zero this far outside the limits still counts as their end (rad).
+constexpr double kZeroSlack = 0.02;
 
 /// Closing side and evidence from the ranges to both sides of the `extended` variables' values in `q`.
 void weigh_ranges(const Anatomy& anatomy, const FingerAnatomy& finger, std::span<const double> q,
@@ -93,22 +55,6 @@ void find_jaw_closing_side(const FingerPose& pose, Vector3d hand_center, Flexion
   flexion.evidence = norm(inward) > 0 ? std::min(1.0, 2 * std::abs(toward) / norm(inward)) : 0;
 }
 
-/// How far the finger would have to close (rad) for the side joint just before its first flexion joint to turn about
-/// the closing direction or about the finger's own; nothing when it does neither nearly.
-std::optional<double> turn_to_side_axis(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion,
-                                        std::span<const double> q, FingerPose& pose) {
-  constexpr double quarter = std::numbers::pi / 2, across = 0.35;
-  const int side = flexion.positions.front() - 1;
-  const FingerPosture posture = measure_posture(anatomy, finger, flexion, q, pose);
-  const Vector3d axis = pose.axis[side];
-  const bool turns = anatomy.tree.joints[finger.joints[side]].kind != JointKind::prismatic;
-  if (!turns || std::abs(dot(axis, posture.axis)) > across) return std::nullopt;
-  const double angle = std::atan2(dot(axis, posture.closing), dot(axis, posture.direction));
-  const double turn = std::remainder(angle, quarter);
-  if (std::abs(turn) > kSideAxisDeviation) return std::nullopt;
-  return turn;
-}
-
 }  // namespace
 
 Flexion find_flexion(const Anatomy& anatomy, const FingerAnatomy& finger) {
@@ -117,24 +63,69 @@ Flexion find_flexion(const Anatomy& anatomy, const FingerAnatomy& finger) {
   };
   FingerPose pose;
   pose_finger(anatomy, finger, mid_pose(anatomy.tree), pose);
-  const double length = finger_length(anatomy, finger);
-  const auto moves_tip = [&](int position) {
-    const Vector3d arm = cross(pose.axis[position], pose.tip - pose.origin[position]);
-    return is_prismatic(position) || norm(arm) >= kShortestArm * length;
-  };
-
+  const int count = static_cast<int>(finger.joints.size());
   Flexion flexion;
-  int last = static_cast<int>(finger.joints.size()) - 1;
-  while (last > 0 && !moves_tip(last)) --last;
-  if (is_prismatic(last)) {
-    flexion.sliding = true;
-    flexion.positions = {last};
+  flexion.sliding = is_prismatic(count - 1);
+  if (flexion.sliding) {
+    flexion.positions = {count - 1};
     return flexion;
   }
-  for (int i = 0; i <= last; ++i)
-    if (!is_prismatic(i) && std::abs(dot(pose.axis[i], pose.axis[last])) > kParallel) flexion.positions.push_back(i);
+  const double length = finger_length(anatomy, finger);
+  const auto bends = [&](int position) {
+    const Vector3d arm = cross(pose.axis[position], pose.tip - pose.origin[position]);
+    return !is_prismatic(position) && norm(arm) >= kShortestArm * length;
+  };
+  double most = -1;
+  for (int reference = count - 1; reference >= 0; --reference) {
+    std::vector<int> parallel;
+    double turn = 0;  // squares, for one wide joint bends a finger rather than two narrow ones
+    for (int i = 0; i < count; ++i) {
+      if (is_prismatic(i) || std::abs(dot(pose.axis[i], pose.axis[reference])) <= kParallel) continue;
+      const Joint& joint = anatomy.tree.joints[finger.joints[i]];
+      parallel.push_back(i);
+      if (bends(i)) turn += std::pow(std::min(joint.upper - joint.lower, kWidestFlexion), 2);
+    }
+    if (turn > most) most = turn, flexion.positions = parallel;
+  }
   return flexion;
 }
+
+double flexion_rate(const Anatomy& anatomy, const FingerAnatomy& finger, const FingerPose& pose, int position,
+                    int last) {
+  const Joint& joint = anatomy.tree.joints[finger.joints[position]];
+  const double sense = dot(pose.axis[position], pose.axis[last]) < 0 ? -1.0 : 1.0;
+  return sense * (joint.mimic_master >= 0 ? joint.mimic_multiplier : 1.0);
+}
+
+std::vector<int> straighten(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion,
+                            std::span<double> q) {
+  const auto variable_at = [&](std::size_t i) {
+    return variable_of(anatomy.tree, finger.joints[flexion.positions[i]]);
+  };
+  const double tolerance = kStraightTolerance * finger_length(anatomy, finger);
+  std::vector<int> set;
+  FingerPose pose;
+  for (std::size_t i = flexion.positions.size(); i-- > 1;) {
+    const int variable = variable_at(i);
+    if (std::find(set.begin(), set.end(), variable) != set.end()) continue;
+    std::size_t first_driven = 0;
+    while (variable_at(first_driven) != variable) ++first_driven;
+    const int base = flexion.positions[first_driven == 0 ? 0 : first_driven - 1];
+    const auto reach = [&](double value) {
+      set_joint(anatomy.tree, variable, value, q);
+      pose_finger(anatomy, finger, q, pose);
+      return norm(pose.tip - pose.origin[base]);
+    };
+    const Joint& joint = anatomy.tree.joints[variable];
+    const double preferred = preferred_value(joint, tolerance, true, reach);
+    const double straight = preferred_value(joint, 0, true, reach);
+    set_joint(anatomy.tree, variable, std::abs(preferred - straight) <= kStraightAngle ? preferred : straight, q);
+    set.push_back(variable);
+  }
+  return set;
+}
+
+bool has_zero(const Joint& joint) { return joint.lower <= kZeroSlack && joint.upper >= -kZeroSlack; }
 
 Vector3d flexion_origin(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion) {
   FingerPose pose;
@@ -142,7 +133,8 @@ Vector3d flexion_origin(const Anatomy& anatomy, const FingerAnatomy& finger, con
   return pose.origin[flexion.positions.front()];
 }
 
-void find_closing_side(const Anatomy& anatomy, const FingerAnatomy& finger, Vector3d hand_center, Flexion& flexion) {
+void find_closing_side(const Anatomy& anatomy, const FingerAnatomy& finger, Vector3d hand_center, bool zero_is_straight,
+                       Flexion& flexion) {
   const std::vector<Joint>& joints = anatomy.tree.joints;
   std::vector<double> q = mid_pose(anatomy.tree);
   FingerPose pose;
@@ -151,16 +143,21 @@ void find_closing_side(const Anatomy& anatomy, const FingerAnatomy& finger, Vect
 
   const int first = flexion.positions.front(), last = flexion.positions.back();
   std::vector<int> extended = straighten(anatomy, finger, flexion, q);
-  weigh_ranges(anatomy, finger, q, extended, flexion);
   const int variable = variable_of(anatomy.tree, finger.joints[first]);
   const bool is_free = std::find(extended.begin(), extended.end(), variable) == extended.end();
-  if (flexion.evidence >= kClearAsymmetry || !is_free) return;
+  const bool open_at_zero = zero_is_straight && has_zero(joints[variable]);
+  if (is_free && open_at_zero) {
+    set_joint(anatomy.tree, variable, clamp_to_limits(joints[variable], 0.0), q);
+    extended.push_back(variable);
+  }
+  weigh_ranges(anatomy, finger, q, extended, flexion);
+  if (flexion.evidence >= kClearAsymmetry || !is_free || open_at_zero) return;
 
   // The distal joints do not tell: ask the first one too, which is extended where it points away from the hand.
   pose_finger(anatomy, finger, q, pose);
   const Vector3d outward = orthogonal_part(pose.origin[first] - hand_center, pose.axis[last]);
   if (norm(outward) <= kShortestArm * finger_length(anatomy, finger)) return;
-  const double outermost = preferred_value(joints[variable], 0, [&](double value) {
+  const double outermost = preferred_value(joints[variable], 0, true, [&](double value) {
     set_joint(anatomy.tree, variable, value, q);
     pose_finger(anatomy, finger, q, pose);
     return dot(pose.tip - pose.origin[first], outward);
@@ -168,6 +165,7 @@ void find_closing_side(const Anatomy& anatomy, const FingerAnatomy& finger, Vect
   set_joint(anatomy.tree, variable, outermost, q);
   extended.push_back(variable);
   weigh_ranges(anatomy, finger, q, extended, flexion);
+  flexion.evidence = std::min(flexion.evidence, kOutwardEvidence);
 }
 
 void agree_on_closing_side(const Anatomy& anatomy, std::span<Flexion> flexions) {
@@ -201,45 +199,11 @@ void agree_on_closing_side(const Anatomy& anatomy, std::span<Flexion> flexions) 
   }
 }
 
-bool extend_finger(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion, std::span<double> q) {
+std::optional<bool> is_straight_at_zero(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion,
+                                        std::vector<double> q) {
   const std::vector<int> straight = straighten(anatomy, finger, flexion, q);
-  const int first = flexion.positions.front();
-  const int variable = variable_of(anatomy.tree, finger.joints[first]);
-  if (std::find(straight.begin(), straight.end(), variable) != straight.end()) return true;
-
-  // Who put zero where the phalanges are straight put it where the base is straight too.
-  const bool zero_is_straight = std::all_of(straight.begin(), straight.end(), [&](int v) { return q[v] == 0; });
-  FingerPose pose;
-  pose_finger(anatomy, finger, q, pose);
-  const Joint& joint = anatomy.tree.joints[variable];
-  const double sense = flexion.closing_sign * flexion_rate(anatomy, finger, pose, first, flexion.positions.back());
-  const double open_end = sense > 0 ? joint.lower : joint.upper;
-  const double length = finger_length(anatomy, finger);
-  double value = open_end;
-  bool is_guess = false;
-  if (flexion.sliding) {
-    // a jaw is open at the end of its range
-  } else if (zero_is_straight && std::abs(open_end) <= kHyperextension) {
-    value = clamp_to_limits(joint, 0.0);
-  } else if (norm(pose.origin[first] - pose.origin.front()) > kShortestMetacarpal * length) {
-    value = preferred_value(joint, kStraightTolerance * length, [&](double candidate) {
-      set_joint(anatomy.tree, variable, candidate, q);
-      pose_finger(anatomy, finger, q, pose);
-      return norm(pose.tip - pose.origin.front());
-    });
-  } else {
-    const double bent_back = std::min(kTypicalHyperextension, (joint.upper - joint.lower) / 4);
-    value = open_end + (sense > 0 ? bent_back : -bent_back);
-    is_guess = true;
-  }
-  set_joint(anatomy.tree, variable, value, q);
-  if (flexion.sliding || first == 0) return !is_guess;
-
-  // A side joint before it turns about the palm normal or about the finger: two estimates are better than one.
-  const std::optional<double> turn = turn_to_side_axis(anatomy, finger, flexion, q, pose);
-  if (!turn) return !is_guess;
-  set_joint(anatomy.tree, variable, clamp_to_limits(joint, value + *turn * (is_guess ? 1 : 0.5) / sense), q);
-  return true;
+  if (straight.empty()) return std::nullopt;
+  return std::all_of(straight.begin(), straight.end(), [&](int variable) { return q[variable] == 0; });
 }
 
 FingerPosture measure_posture(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion,

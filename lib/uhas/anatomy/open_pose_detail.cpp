@@ -53,10 +53,15 @@ std::vector<FingerGroup> group_fingers(const Anatomy& anatomy) {
 
 class OpenPoseSearch {
  public:
-  OpenPoseSearch(const Anatomy& anatomy, std::span<const Flexion> flexions, Vector3d normal,
-                 const std::vector<bool>& held)
-      : anatomy_(anatomy), flexions_(flexions), normal_(normal), held_(held) {
+  OpenPoseSearch(const Anatomy& anatomy, std::span<const Flexion> flexions, const PalmNormal& normal,
+                 bool zero_is_neutral, const std::vector<bool>& held, std::span<const double> q)
+      : anatomy_(anatomy), flexions_(flexions), normal_(normal.normal), zero_is_neutral_(zero_is_neutral), held_(held) {
     for (const FingerAnatomy& finger : anatomy.fingers) length_.push_back(finger_length(anatomy, finger));
+    if (!normal.opposing) return;
+    for (std::size_t i = 0; i < flexions.size(); ++i) {
+      const FingerPosture posture = measure_posture(anatomy, anatomy.fingers[i], flexions[i], q, scratch_);
+      outward_.push_back(normalized(orthogonal_part(posture.direction, normal_)));
+    }
   }
 
   /// The groups of fingers that are opened together, with the variables to find.
@@ -83,13 +88,14 @@ class OpenPoseSearch {
 
  private:
   /// How open the fingers of the group are: 2 for each that is straight in the palm plane with its pad along the
-  /// normal.
+  /// normal. A gripper's finger that cannot lie flat would lean to its side for that; it is asked to reach outward.
   double openness(const FingerGroup& group, std::span<const double> q) {
     double sum = 0;
     for (int finger : group.fingers) {
       const FingerPosture posture = measure_posture(anatomy_, anatomy_.fingers[finger], flexions_[finger], q, scratch_);
-      sum +=
-          norm(orthogonal_part(posture.tip - posture.root, normal_)) / length_[finger] + dot(posture.closing, normal_);
+      const Vector3d reach = posture.tip - posture.root;
+      const double spread = outward_.empty() ? norm(orthogonal_part(reach, normal_)) : dot(reach, outward_[finger]);
+      sum += spread / length_[finger] + dot(posture.closing, normal_);
     }
     return sum;
   }
@@ -100,11 +106,13 @@ class OpenPoseSearch {
   }
 
   /// Distal flexion joints, a thumb's flexion joints and sliding jaws are open where `q` has them: straight, or at the
-  /// end. What is left to find are side and roll joints, and the angle of a finger's base to the palm.
+  /// end. What is left to find are side and roll joints, the angle of a finger's base to the palm, and that of a
+  /// thumb's when it is a guess.
   bool stays_extended(const FingerGroup& group, int variable) const {
     for (int finger : group.fingers) {
       const Flexion& flexion = flexions_[finger];
-      const std::size_t from = finger == anatomy_.thumb || flexion.sliding ? 0 : 1;
+      const bool thumb_stays = finger == anatomy_.thumb && !flexion.base_is_guess;
+      const std::size_t from = thumb_stays || flexion.sliding ? 0 : 1;
       for (std::size_t i = from; i < flexion.positions.size(); ++i)
         if (variable_of(anatomy_.tree, anatomy_.fingers[finger].joints[flexion.positions[i]]) == variable) return true;
     }
@@ -141,7 +149,7 @@ class OpenPoseSearch {
     double value = openness(group, q);
     for (;;) {
       for (int variable : group.variables) {
-        const double best = preferred_value(anatomy_.tree.joints[variable], kGain,
+        const double best = preferred_value(anatomy_.tree.joints[variable], kGain, zero_is_neutral_,
                                             [&](double candidate) { return try_value(group, variable, candidate, q); });
         set_joint(anatomy_.tree, variable, best, q);
       }
@@ -158,7 +166,7 @@ class OpenPoseSearch {
     for (int variable : group.variables) {
       const double best = openness(group, q);
       const double value = preferred_value(
-          anatomy_.tree.joints[variable], best - lowest,
+          anatomy_.tree.joints[variable], best - lowest, zero_is_neutral_,
           [&, trial = q](double candidate) mutable { return try_value(group, variable, candidate, trial); });
       set_joint(anatomy_.tree, variable, value, q);
     }
@@ -167,16 +175,19 @@ class OpenPoseSearch {
   const Anatomy& anatomy_;
   std::span<const Flexion> flexions_;
   Vector3d normal_;
+  bool zero_is_neutral_;
   const std::vector<bool>& held_;
   std::vector<double> length_;
+  std::vector<Vector3d> outward_;  ///< one a finger of a gripper: where it reaches in the palm plane
   FingerPose scratch_;
 };
 
 }  // namespace
 
-std::vector<double> find_open_pose(const Anatomy& anatomy, std::span<const Flexion> flexions, Vector3d normal,
-                                   Bases bases, std::vector<double> q, const std::vector<bool>& held) {
-  OpenPoseSearch search(anatomy, flexions, normal, held);
+std::vector<double> find_open_pose(const Anatomy& anatomy, std::span<const Flexion> flexions, const PalmNormal& normal,
+                                   bool zero_is_neutral, Bases bases, std::vector<double> q,
+                                   const std::vector<bool>& held) {
+  OpenPoseSearch search(anatomy, flexions, normal, zero_is_neutral, held, q);
   for (const FingerGroup& group : search.groups(bases)) search.open(group, q);
   return q;
 }

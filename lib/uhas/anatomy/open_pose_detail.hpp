@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "uhas/anatomy/flexion_detail.hpp"
+#include "uhas/anatomy/digits_detail.hpp"
 
 namespace uhas {
 
@@ -12,12 +12,15 @@ namespace uhas {
 /// not: they would follow any normal.
 enum class Bases { held, searched };
 
-/// Joint values that open the hand for the palm normal `normal`; a joint is put at zero, or else at mid range, where
-/// that costs next to nothing.
-/// @param flexions  one a finger
-/// @param q         where the search begins, fingers extended
-/// @param held      joints of the tree whose value in `q` stays
-std::vector<double> find_open_pose(const Anatomy& anatomy, std::span<const Flexion> flexions, Vector3d normal,
-                                   Bases bases, std::vector<double> q, const std::vector<bool>& held);
+/// Joint values that open the hand for the palm normal: fingers straight in the palm plane, those of a gripper as far
+/// outward as they reach, pads along the normal. A joint is put at zero, or else at mid range, where that costs next to
+/// nothing.
+/// @param flexions         one a finger
+/// @param zero_is_neutral  the hand's designer put "open" at zero; else zero is a value like others
+/// @param q                where the search begins, fingers extended
+/// @param held             joints of the tree whose value in `q` stays
+std::vector<double> find_open_pose(const Anatomy& anatomy, std::span<const Flexion> flexions, const PalmNormal& normal,
+                                   bool zero_is_neutral, Bases bases, std::vector<double> q,
+                                   const std::vector<bool>& held);
 
 }  // namespace uhas

@@ -56,7 +56,9 @@ double total_arm(const Anatomy& anatomy, const SphereFrame& frame, int joint) {
   return arm;
 }
 
-JointClassification classify(const Anatomy& anatomy, const SphereFrame& frame, std::span<const double> q_closed, int joint) {
+/// @param classes  of the joints further out
+JointClassification classify(const Anatomy& anatomy, const SphereFrame& frame, std::span<const double> q_closed, int joint,
+                             std::span<const JointClassification> classes) {
   JointClassification result;
   Travel travel = sweep(anatomy, frame, joint, anatomy.q_open);
 
@@ -66,15 +68,20 @@ JointClassification classify(const Anatomy& anatomy, const SphereFrame& frame, s
       travel.path < pointing_at_tip * total_arm(anatomy, frame, joint) * travel.range) {
     std::vector<double> q = anatomy.q_open;
     for (int f : fingers_moved(anatomy, joint))
-      for (int i : joints_further_out(anatomy, f, joint)) q[i] += flexed_share * (q_closed[i] - anatomy.q_open[i]);
+      for (int i : joints_further_out(anatomy, f, joint))
+        if (classes[i].joint_class == JointClass::encompassing)
+          q[i] = anatomy.q_open[i] + flexed_share * (q_closed[i] - anatomy.q_open[i]);
     apply_mimics(anatomy.tree, q);
     travel = sweep(anatomy, frame, joint, q);
     result.flexed_probe = true;
   }
   result.lateral_motion = travel.lateral;
   result.encompassing_motion = travel.encompassing;
+  // a fingertip on the joint's axis goes nowhere, and what rounding makes of that is no class
+  constexpr double standing_still = 0.005;  // radii
   const double total = travel.lateral + travel.encompassing;
-  result.margin = total > 0 ? std::abs(travel.lateral - travel.encompassing) / total : 0;
+  if (total <= standing_still * frame.radius) return result;
+  result.margin = std::abs(travel.lateral - travel.encompassing) / total;
   result.joint_class = travel.lateral > travel.encompassing ? JointClass::lateral : JointClass::encompassing;
   return result;
 }
@@ -85,8 +92,8 @@ std::vector<JointClassification> classify_joints(const Anatomy& anatomy, const S
                                                  std::span<const double> q_closed) {
   const int count = static_cast<int>(anatomy.tree.joints.size());
   std::vector<JointClassification> classes(count);
-  for (int i = 0; i < count; ++i)
-    if (anatomy.tree.joints[i].mimic_master < 0) classes[i] = classify(anatomy, frame, q_closed, i);
+  for (int i = count - 1; i >= 0; --i)  // from the fingertips inward
+    if (anatomy.tree.joints[i].mimic_master < 0) classes[i] = classify(anatomy, frame, q_closed, i, classes);
   for (int i = 0; i < count; ++i)
     if (anatomy.tree.joints[i].mimic_master >= 0) classes[i] = classes[anatomy.tree.joints[i].mimic_master];
   return classes;

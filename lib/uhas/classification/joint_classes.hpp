@@ -12,7 +12,7 @@ struct JointClassification {
   JointClass joint_class = JointClass::encompassing;
   double lateral_motion = 0;       ///< fingertip travel r sin(phi) |d theta|, summed over the sweep (m)
   double encompassing_motion = 0;  ///< fingertip travel sqrt(dr^2 + (r d phi)^2), summed over the sweep (m)
-  double margin = 0;               ///< |lateral - encompassing| / (lateral + encompassing)
+  double margin = 0;               ///< |lateral - encompassing| / (lateral + encompassing); 0 when the tip stands still
   bool flexed_probe = false;       ///< the sweep was repeated with the joints further out flexed
 };
 

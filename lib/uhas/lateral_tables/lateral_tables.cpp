@@ -45,12 +45,16 @@ struct Hand {
   }
 };
 
-/// The finger whose azimuth a lateral joint's table records: the first that it, or a follower of it, belongs to; -1 = none.
-int finger_of(const Anatomy& anatomy, int joint) {
+/// The finger whose azimuth a lateral joint's table records: of those that it, or a follower of it, belongs to, the one with
+/// the lowest slot; -1 = none.
+int finger_of(const Anatomy& anatomy, const SphereFrame& frame, int joint) {
+  int lowest = -1;
   for (int f = 0; f < static_cast<int>(anatomy.fingers.size()); ++f)
     for (int j : anatomy.fingers[f].joints)
-      if (j == joint || anatomy.tree.joints[j].mimic_master == joint) return f;
-  return -1;
+      if ((j == joint || anatomy.tree.joints[j].mimic_master == joint) &&
+          (lowest < 0 || frame.own_slot[f] < frame.own_slot[lowest]))
+        lowest = f;
+  return lowest;
 }
 
 /// `count` samples of the joint from `first` to `last`, the other lateral joints as in `q`.
@@ -218,7 +222,7 @@ LateralTables build_lateral_tables(const Anatomy& anatomy, const SphereFrame& fr
   // every lateral joint by itself, the others open: this gives each its neutral value
   std::vector<double> q = anatomy.q_open;
   for (int joint = 0; joint < static_cast<int>(anatomy.tree.joints.size()); ++joint) {
-    const int finger = finger_of(anatomy, joint);
+    const int finger = finger_of(anatomy, frame, joint);
     if (!hand.is_free_lateral(joint) || finger < 0) continue;
     LateralTable table = build_table(hand, joint, finger, anatomy.q_open, options.steps, false);
     q[joint] = table.neutral;
@@ -233,7 +237,7 @@ LateralTables build_lateral_tables(const Anatomy& anatomy, const SphereFrame& fr
     };
     int driver = -1;
     for (int t = 0; t < static_cast<int>(result.tables.size()); ++t)
-      if (finger_of(anatomy, result.tables[t].joint) == f && (driver < 0 || rank(t) > rank(driver))) driver = t;
+      if (finger_of(anatomy, frame, result.tables[t].joint) == f && (driver < 0 || rank(t) > rank(driver))) driver = t;
     if (driver < 0) continue;
     LateralTable table = build_table(hand, result.tables[driver].joint, f, q, options.steps, true);
     if (table.q.empty()) continue;

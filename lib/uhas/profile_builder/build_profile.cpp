@@ -87,8 +87,9 @@ std::vector<std::string> stage_warnings(const BuildStages& stages) {
   const std::string doubtful = doubt(stages.closed_pose);
   const std::vector<std::string> closed_pose_warnings(doubtful.empty() ? 0 : 1, doubtful);
   std::vector<std::string> all;
-  for (const auto* warnings : {&stages.model.warnings, &stages.anatomy.warnings, &closed_pose_warnings,
-                               &stages.lateral_tables.warnings, &stages.correspondences.warnings})
+  for (const auto* warnings :
+       {&stages.model.warnings, &stages.anatomy.warnings, &stages.sphere_frame.warnings, &closed_pose_warnings,
+        &stages.lateral_tables.warnings, &stages.correspondences.warnings})
     all.insert(all.end(), warnings->begin(), warnings->end());
   return all;
 }
@@ -100,8 +101,8 @@ std::vector<Finding> stage_findings(const BuildStages& stages) {
 }
 
 std::vector<int> fingers_by_slot(const SphereFrame& frame) {
-  const auto first_slot = [&](int finger) {
-    return std::ranges::find(frame.slots[finger], true) - frame.slots[finger].begin();
+  const auto first_slot = [&](int finger) {  // of fingers that share one, the finger that stands in the lower goes first
+    return std::pair(std::ranges::find(frame.slots[finger], true) - frame.slots[finger].begin(), frame.own_slot[finger]);
   };
   std::vector<int> order(frame.slots.size());
   std::iota(order.begin(), order.end(), 0);

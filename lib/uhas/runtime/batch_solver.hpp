@@ -33,6 +33,8 @@ struct ActionBatch {
   std::span<const Real> driving_vectors_phi{};  ///< empty = pi j / (V + 1); [V] or [5 V] for all rows; see `phi_per_row`
   bool phi_per_row = false;                     ///< `driving_vectors_phi` is [N][V] or [N][5 V]
   bool normalized = false;                      ///< as in Action
+  std::span<const Real> azimuth_offsets{};      ///< empty; [5] for all rows; or [N][5]
+  std::span<const Real> radial_bounds{};        ///< empty = those of the convention; [2] for all rows; or [N][2]
   std::span<const int> hands{};                 ///< [N] the hand each row is for; empty = the first
 };
 
@@ -63,10 +65,10 @@ class BatchSolver {
   /// @param q         [N][q_stride] joint angles (rad; m for prismatic joints) in the order of the row's own hand, within limits.
   ///                  Elements past that hand's joints are untouched.
   /// @param statuses  [N] or empty: what became of each row. A row that is refused (non_finite_input,
-  ///                  invalid_driving_vectors, unknown_hand) leaves its part of `q` untouched and hinders no other row.
+  ///                  invalid_driving_vectors, invalid_radial_bounds, unknown_hand) leaves its part of `q` untouched and hinders no other row.
   /// @param q_stride  numbers from one row of `q` to the next; 0 = widest_joint_count()
   /// Returns ok when every row is; else the status of the first row that was refused; or, with nothing written at all,
-  /// wrong_size for a span too short and invalid_driving_vectors for angles that all rows share.
+  /// wrong_size for a span too short, or the status of what all rows share.
   Status solve(const ActionBatch<Real>& actions, std::span<Real> q, std::span<Status> statuses = {},
                std::size_t q_stride = 0) noexcept;
 

@@ -56,7 +56,7 @@ void Cascade<Num, Wide>::average_planes(const Model& model) noexcept {
         mean.delta_r[j] += share * planes[finger].delta_r[j];
       }
     }
-    mean.find_slopes();
+    mean.find_slopes(model.options.convention.held_toward_pole);
   }
 }
 

@@ -13,6 +13,8 @@ template <class Real>
 struct ActionRows {
   const Real* values[kMostLanes];  ///< [width][5 + 5 V]; rows past `count` repeat one of the others
   const Real* phi[kMostLanes];     ///< [width][angles]
+  const Real* azimuth_offsets[kMostLanes];  ///< [width][5], or all null
+  const Real* radial_bounds[kMostLanes];    ///< [width][2], or all null
   Real* q[kMostLanes];             ///< [count][joints] out
   int count;
   int vectors;                     ///< V

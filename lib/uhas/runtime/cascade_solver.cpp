@@ -54,7 +54,9 @@ Status CascadeSolver<Real>::solve(const Action<Real>& action, std::span<Real> q)
                                     .phi = action.driving_vectors_phi.data(),
                                     .vectors = model_->decoder.vectors_of(action.values.size()),
                                     .angles = static_cast<int>(action.driving_vectors_phi.size()),
-                                    .normalized = action.normalized};
+                                    .normalized = action.normalized,
+                                    .azimuth_offsets = data_or_null(action.azimuth_offsets),
+                                    .radial_bounds = data_or_null(action.radial_bounds)};
   model_->decoder.decode(numbers, cascade.planes.data());
   cascade.run(*model_);
   for (std::size_t i = 0; i < q.size(); ++i) q[i] = cascade.q(static_cast<int>(i)) * model_->joints[i].unit;

@@ -8,7 +8,8 @@
 
 namespace uhas {
 
-/// A displacement over polar angles: 0 at the palm pole, linear between driving vectors, constant beyond the last one.
+/// A displacement over polar angles: linear between driving vectors and constant beyond the last one; before the first one linear
+/// from 0 at the palm pole, or constant too.
 /// Nothing is set by default: a solve makes many of these.
 template <class Num>
 struct RadialProfile {
@@ -40,8 +41,9 @@ struct PlaneDeformation : RadialProfile<Num> {
   Num lowest{}, steepest{};   ///< least displacement of a vector; greatest |slope|
 
   /// Slopes, `lowest` and `steepest` from vectors, angles and displacements.
-  void find_slopes() {
-    this->slope[0] = this->delta_r[0] / this->phi[0];
+  /// @param held_toward_pole  constant before the first vector
+  void find_slopes(bool held_toward_pole) {
+    this->slope[0] = held_toward_pole ? Num(0) : this->delta_r[0] / this->phi[0];
     lowest = this->delta_r[0];
     steepest = abs(this->slope[0]);
     for (int j = 1; j < this->vectors; ++j) {

@@ -20,12 +20,12 @@ constexpr int kThumbSlot = 4;
 double angle_between(double a, double b) { return std::abs(wrap_angle(a - b)); }
 
 /// The fingers beside the thumb finger, from the pinky's side on: around the axis, by falling azimuth.
-std::vector<int> order_around_axis(std::span<const double> azimuth, int thumb_finger) {
+std::vector<int> order_around_axis(std::span<const double> place, int thumb_finger) {
   std::vector<int> order;
-  for (int i = 0; i < static_cast<int>(azimuth.size()); ++i)
+  for (int i = 0; i < static_cast<int>(place.size()); ++i)
     if (i != thumb_finger) order.push_back(i);
   const auto turn_from_thumb = [&](int i) {
-    const double turn = wrap_angle(azimuth[i] - azimuth[thumb_finger]);
+    const double turn = wrap_angle(place[i] - place[thumb_finger]);
     return turn < 0 ? turn + 2 * std::numbers::pi : turn;
   };
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return turn_from_thumb(a) > turn_from_thumb(b); });
@@ -79,9 +79,10 @@ int nearest_owner(std::span<const double> azimuth, const std::vector<int>& slot_
 
 }  // namespace
 
-SlotAssignment assign_slots(std::span<const double> azimuth, int thumb_finger, bool has_thumb, bool merge_pinky) {
+SlotAssignment assign_slots(std::span<const double> azimuth, std::span<const double> place, int thumb_finger,
+                            bool has_thumb, bool merge_pinky) {
   const int count = static_cast<int>(azimuth.size());
-  const std::vector<int> order = order_around_axis(azimuth, thumb_finger);
+  const std::vector<int> order = order_around_axis(place, thumb_finger);
   const bool ring_is_last = count == 4 && has_thumb;  // such hands lack the pinky, wherever their fingers stand
   const std::vector<int> chosen = ring_is_last ? std::vector<int>{1, 2, 3} : nearest_slots(azimuth, order);
 
@@ -100,6 +101,7 @@ SlotAssignment assign_slots(std::span<const double> azimuth, int thumb_finger, b
   if (count == kSlotCount && merge_pinky)
     for (int finger : {order[0], order[1]}) result.slots[finger][0] = result.slots[finger][1] = true;
 
+  result.own_slot = slot_of_finger;
   constexpr std::array<const char*, kSlotCount> digits = {"pinky", "ring", "middle", "index", "thumb"};
   for (int i = 0; i < count; ++i) {
     const auto before =

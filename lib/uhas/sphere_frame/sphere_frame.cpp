@@ -37,11 +37,21 @@ SphereFrame compute_sphere_frame(const Anatomy& anatomy, const SphereFrameOption
 
   frame.T_palm_sphere = {Rotationd::from_columns(plane.x, plane.y, n), plane.center + frame.radius * n};
   frame.mirrored = anatomy.handedness == Handedness::left;
-  for (double azimuth : plane.azimuth) frame.open_azimuth.push_back(frame.mirrored ? wrap_angle(-azimuth) : azimuth);
+  const auto canonical = [&](double azimuth) { return frame.mirrored ? wrap_angle(-azimuth) : azimuth; };
+  std::vector<double> place;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vector3d middle = (plane.roots[i] + plane.tips[i]) / 2 - plane.center;
+    frame.open_azimuth.push_back(canonical(plane.azimuth[i]));
+    place.push_back(canonical(std::atan2(dot(middle, plane.y), dot(middle, plane.x))));
+  }
   SlotAssignment assignment =
-      assign_slots(frame.open_azimuth, plane.thumb_finger, anatomy.thumb >= 0, options.merge_pinky);
+      assign_slots(frame.open_azimuth, place, plane.thumb_finger, anatomy.thumb >= 0, options.merge_pinky);
   frame.slots = std::move(assignment.slots);
+  frame.own_slot = std::move(assignment.own_slot);
   frame.names = std::move(assignment.names);
+  if (options.merge_pinky && count < kSlotCount)
+    frame.warnings.push_back("merging the pinky's slot changes nothing on a hand of " + std::to_string(count) +
+                             " fingers: only one of five has a ring finger and a pinky");
   return frame;
 }
 

@@ -28,7 +28,10 @@ struct SphereFrame {
   std::vector<double> tip_distance;                       ///< palm centre to fingertip at the open pose (m)
   std::vector<double> open_azimuth;                       ///< canonical azimuth of the open fingertip
   std::vector<std::array<bool, kSlotCount>> slots;        ///< the action slots it owns
+  std::vector<int> own_slot;                              ///< the one of these that no finger shares but on request
   std::vector<std::string> names;                         ///< pinky, ring, middle, index, thumb for 4 and 5 fingers with a thumb, else finger1...
+
+  std::vector<std::string> warnings;
 };
 
 /// Throws Error(invalid_hand) for more than five fingers, fewer than two, or a hand without extent.

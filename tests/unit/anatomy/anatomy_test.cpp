@@ -169,6 +169,100 @@ TEST_CASE("a continuous joint has half a turn to both sides of open") {
   CHECK(joint.upper == doctest::Approx(anatomy.q_open.front() + std::numbers::pi));
 }
 
+TEST_CASE("an axis gizmo on the root is no palm") {
+  for (const bool wrist : {false, true}) {
+    HandModel model = make_toy_hand({.wrist = wrist});
+    ToyModel gizmo("gizmo");
+    for (const Vector3d axis : {Vector3d{1, 0, 0}, Vector3d{0, 1, 0}, Vector3d{0, 0, 1}})
+      gizmo.add_box(0, 0.05 * axis, 0.099 * axis + Vector3d{0.001, 0.001, 0.001});
+    model.links[0].mesh = gizmo.model().links[0].mesh;
+    const Anatomy anatomy = infer_anatomy(model);
+    CHECK(anatomy.palm_link == "palm");
+    CHECK(angle_between(normal_in_root(anatomy), {1, 0, 0}) < 1 * kDegree);
+    CHECK(anatomy.warnings.empty());
+  }
+}
+
+TEST_CASE("a palm of several fixed links, one of them named like a finger") {
+  HandModel model = make_toy_hand();
+  const auto palm = std::ranges::find(model.links, "palm", &ModelLink::name);
+  const auto part = [&](const std::string& name, Vector3d place) {
+    ModelLink link{name, static_cast<int>(palm - model.links.begin()), -1, {{}, place}, {}};
+    ToyModel box("box");
+    box.add_box(0, {}, {0.02, 0.03, 0.03});
+    link.mesh = box.model().links[0].mesh;
+    return link;
+  };
+  palm->name = "index_finger_tip";
+  const ModelLink heel = part("heel", {0, 0.02, 0.03}), edge = part("palm", {0, -0.02, 0.03});
+  model.links.push_back(heel);
+  model.links.push_back(edge);
+  const Anatomy anatomy = infer_anatomy(model);
+  CHECK(anatomy.palm_link == "index_finger_tip");
+  CHECK(anatomy.fingers.size() == 5);
+  CHECK(angle_between(normal_in_root(anatomy), {1, 0, 0}) < 1 * kDegree);
+  CHECK(anatomy.warnings.empty());
+}
+
+TEST_CASE("joints that bend as far back as they close, with the finger straight at zero") {
+  ToyHandOptions options;
+  options.finger.hyperextension = 1.6;
+  const Anatomy anatomy = infer_anatomy(make_toy_hand(options));
+  CHECK(angle_between(normal_in_root(anatomy), {1, 0, 0}) < 1 * kDegree);
+  for (const double q : anatomy.q_open) CHECK(std::abs(q) < 0.01);
+}
+
+TEST_CASE("a side joint on the last phalanx is no flexion joint") {
+  HandModel model = make_toy_hand();
+  for (Joint& joint : model.tree.joints) {
+    if (!joint.name.ends_with("_3_joint") || joint.name.starts_with("thumb")) continue;
+    joint.axis = {1, 0, 0};
+    joint.lower = -0.4;
+    joint.upper = 0.4;
+  }
+  const Anatomy anatomy = infer_anatomy(model);
+  CHECK(angle_between(normal_in_root(anatomy), {1, 0, 0}) < 1 * kDegree);
+  CHECK(first_joint(anatomy, anatomy.thumb) == "thumb_roll_joint");
+  CHECK(anatomy.warnings.empty());
+}
+
+TEST_CASE("what only the range of a joint tells of the normal is doubtful; a stated open pose settles it") {
+  ToyHandOptions options;  // no side joints, no palm surface, and zeros that say nothing
+  options.finger.side_range = 0;
+  options.finger.hyperextension = 0.6;
+  HandModel model = make_toy_hand(options);
+  for (ModelLink& link : model.links)
+    if (link.name == "palm") link.mesh = {};
+  std::vector<double> offset;
+  for (std::size_t i = 0; i < model.tree.joints.size(); ++i) offset.push_back(0.7);
+  model = with_moved_zeros(model, offset);
+  const Anatomy guessed = infer_anatomy(model);
+  CHECK(angle_between(normal_in_root(guessed), {1, 0, 0}) > 15 * kDegree);
+  CHECK(warns_of(guessed, "palm_normal_in_root"));
+
+  HandConfig config;
+  for (const char* finger : {"index", "middle", "ring", "pinky"}) config.q_open[finger + std::string("_1_joint")] = 0.7;
+  const Anatomy stated = infer_anatomy(model, config);
+  CHECK(angle_between(normal_in_root(stated), {1, 0, 0}) < 3 * kDegree);
+  CHECK_FALSE(warns_of(stated, "palm_normal_in_root"));
+}
+
+TEST_CASE("a palm that tilts from the way to the knuckles is a poor witness") {
+  // as above, but with a palm: straight it tells the normal, tilted by 20 degrees it is not believed
+  for (const double tilt : {0.0, 20 * kDegree}) {
+    ToyModel toy("slab");
+    const int palm = toy.add_fixed("palm", 0, {});
+    toy.add_box(palm, {0, 0, 0.04}, {0.02, 0.08, 0.08}, Rotationd::about({0, 1, 0}, tilt));
+    for (int i = 0; i < 4; ++i)
+      toy.add_finger(palm, {.name = "finger" + std::to_string(i), .root = {0, 0.022 * i - 0.033, 0.085}, .side_range = 0});
+    const HandModel model = toy.take();
+    const Anatomy anatomy = infer_anatomy(with_moved_zeros(model, std::vector<double>(model.tree.joints.size(), 0.7)));
+    CAPTURE(tilt);
+    CHECK((angle_between(normal_in_root(anatomy), {1, 0, 0}) < 1 * kDegree) == (tilt == 0));
+    CHECK(warns_of(anatomy, "palm_normal_in_root") == (tilt > 0));
+  }
+}
+
 TEST_CASE("each config key overrides its item and no other") {
   const HandModel model = make_toy_hand({.wrist = true});
   HandConfig config;

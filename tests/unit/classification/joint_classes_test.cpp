@@ -161,3 +161,27 @@ TEST_CASE("motions are lengths: they grow with the hand, classes and margins sta
   }
   CHECK(small[side].joint_class == JointClass::lateral);
 }
+
+TEST_CASE("a joint whose axis goes through the fingertip has no margin, whatever rounding makes of its motion") {
+  SphereHand hand;
+  const std::vector<double> q_closed(1, 0.5);
+  hand.add_finger({add_hinge(hand.tree(), -1, {0.3, 0.1, -1}, {1, 0, 0}, -0.5, 0.5)}, {1.2, 0.1 + 1e-9, -1});
+  const JointClassification found = classify_joints(hand.anatomy, hand.frame, q_closed)[0];
+  CHECK(found.margin == 0);
+  CHECK(found.joint_class == JointClass::encompassing);
+}
+
+TEST_CASE("side joints further out stay open while the finger is flexed for a probe") {
+  // a roll joint, a side joint and a flexion joint: only the last bends the finger that the first one swings
+  SphereHand hand;
+  const int roll = add_hinge(hand.tree(), -1, {0.3, 0, -1}, {1, 0, 0}, -0.5, 0.5);
+  const int side = add_hinge(hand.tree(), roll, {0.3, 0, -1}, {0, 0, 1}, -1, 1);
+  const int flexion = add_hinge(hand.tree(), side, {0.3, 0, -1}, {0, -1, 0}, -0.5, 1.8);
+  hand.add_finger({roll, side, flexion}, {1.2, 0, -1});
+  const auto probe = [&](double side_closed) {
+    return classify_joints(hand.anatomy, hand.frame, std::vector<double>{0.5, side_closed, 1.8})[roll];
+  };
+  REQUIRE(probe(1).flexed_probe);
+  CHECK(probe(1).lateral_motion == probe(-1).lateral_motion);
+  CHECK(probe(1).lateral_motion == probe(0).lateral_motion);
+}

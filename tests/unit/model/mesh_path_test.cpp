@@ -29,6 +29,14 @@ TEST_CASE("relative paths, absolute paths and file:// URIs are named relative to
   }
 }
 
+TEST_CASE("the URDF's own path may hold spaces and letters of any alphabet") {
+  const ScratchFolder folder;
+  folder.write("my hand \xE6\x89\x8B/a.stl", ascii_stl());
+  const HandModel model = load_with_mesh(folder, "a.stl", {}, "my hand \xE6\x89\x8B/hand \xC3\xBC.urdf");
+  CHECK(model.sources[0].name == "hand \xC3\xBC.urdf");
+  CHECK(model.links[0].mesh.triangles.size() == 4);
+}
+
 TEST_CASE("a URDF in the current folder") {
   const ScratchFolder folder;
   folder.write("a.stl", ascii_stl());

@@ -237,6 +237,42 @@ TEST_CASE("normalised actions and angles for all rows") {
   }
 }
 
+TEST_CASE("azimuth offsets and radial bounds, for all rows or for each") {
+  const RandomRows<double> rows(40, 2, 2.0, 13);
+  std::mt19937_64 random(14);
+  std::uniform_real_distribution<double> unit(0, 1);
+  std::vector<double> offsets(40 * 5), bounds(40 * 2);
+  for (double& offset : offsets) offset = 0.2 * unit(random) - 0.1;
+  for (std::size_t i = 0; i < bounds.size(); ++i) bounds[i] = i % 2 == 0 ? -2 * unit(random) : 2 * unit(random);
+  CascadeSolver<double> single(test::small_profile());
+  std::vector<double> one(5);
+  for (InstructionSet set : available_sets()) {
+    BatchSolver<double> solver(test::small_profile(), {}, {.threads = 2, .instruction_set = set});
+    for (bool per_row : {false, true}) {
+      ActionBatch<double> batch = rows.batch(false);
+      batch.azimuth_offsets = std::span<const double>(offsets).first(per_row ? 200 : 5);
+      batch.radial_bounds = std::span<const double>(bounds).first(per_row ? 80 : 2);
+      const std::vector<double> q = solve_all(solver, batch);
+      for (std::size_t i = 0; i < rows.count; ++i) {
+        Action<double> action = rows.row(i, false);
+        action.azimuth_offsets = std::span<const double>(offsets).subspan(per_row ? 5 * i : 0, 5);
+        action.radial_bounds = std::span<const double>(bounds).subspan(per_row ? 2 * i : 0, 2);
+        REQUIRE(single.solve(action, one) == Status::ok);
+        for (std::size_t k = 0; k < 5; ++k) CHECK(q[5 * i + k] == doctest::Approx(one[k]).epsilon(1e-9));
+      }
+    }
+  }
+  bounds[2 * 7] = 0.1;
+  std::vector<double> q(200);
+  std::vector<Status> statuses(40);
+  BatchSolver<double> solver(test::small_profile());
+  ActionBatch<double> batch = rows.batch(false);
+  batch.radial_bounds = bounds;
+  CHECK(solver.solve(batch, q, statuses) == Status::invalid_radial_bounds);
+  CHECK(std::count(statuses.begin(), statuses.end(), Status::ok) == 39);
+  CHECK(statuses[7] == Status::invalid_radial_bounds);
+}
+
 TEST_CASE("what cannot be a batch is refused whole, and nothing is written") {
   const RandomRows<double> rows(10, 2, 1.0, 12);
   BatchSolver<double> solver(test::small_profile());

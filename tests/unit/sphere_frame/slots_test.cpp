@@ -13,7 +13,8 @@ constexpr double kDegree = std::numbers::pi / 180;
 /// Azimuths in degrees; the last finger stands in the thumb's place.
 std::vector<std::string> slots(std::vector<double> azimuth, bool has_thumb, bool merge_pinky = false) {
   for (double& angle : azimuth) angle *= kDegree;
-  const SlotAssignment result = assign_slots(azimuth, static_cast<int>(azimuth.size()) - 1, has_thumb, merge_pinky);
+  const SlotAssignment result =
+      assign_slots(azimuth, azimuth, static_cast<int>(azimuth.size()) - 1, has_thumb, merge_pinky);
   std::vector<std::string> text;
   for (std::size_t i = 0; i < azimuth.size(); ++i) {
     text.push_back(result.names[i] + ":");
@@ -49,4 +50,10 @@ TEST_CASE("three fingers: the symmetric choice among ties, free slots to the nea
 
 TEST_CASE("two fingers: one in the thumb's place, the other owns the rest") {
   CHECK(slots({0, 180}, false) == Text{"finger1: 0 1 2 3", "finger2: 4"});
+}
+
+TEST_CASE("fingers keep their order across the palm where fingertips cross") {
+  constexpr double azimuth[] = {-3 * kDegree, 0, 2 * kDegree, -1 * kDegree, -90 * kDegree};
+  constexpr double place[] = {-40 * kDegree, -10 * kDegree, 20 * kDegree, 50 * kDegree, -90 * kDegree};
+  CHECK(assign_slots(azimuth, place, 4, true, false).own_slot == std::vector<int>{3, 2, 1, 0, 4});
 }

@@ -74,3 +74,12 @@ TEST_CASE("the fingertip in S stands at its open azimuth, one radius above the p
 TEST_CASE("hands that the action space has no planes for are refused") {
   CHECK_THROWS_WITH_AS(compute_sphere_frame(infer_anatomy(make_toy_gripper(6))), doctest::Contains("6 fingers"), Error);
 }
+
+TEST_CASE("merging the pinky's slot is said to do nothing where there is no pinky") {
+  const SphereFrameOptions merged = {.merge_pinky = true};
+  CHECK(compute_sphere_frame(infer_anatomy(make_toy_hand()), merged).warnings.empty());
+  const SphereFrame four = compute_sphere_frame(infer_anatomy(make_toy_hand({.fingers = 3})), merged);
+  REQUIRE(four.warnings.size() == 1);
+  CHECK(four.warnings[0].find("on a hand of 4 fingers") != std::string::npos);
+  CHECK(four.slots == compute_sphere_frame(infer_anatomy(make_toy_hand({.fingers = 3}))).slots);
+}

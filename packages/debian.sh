@@ -5,12 +5,13 @@ uhas_build_packages=(
   libhdf5-dev                                            # runtime
   liburdfdom-dev libconsole-bridge-dev libtinyxml-dev    # URDF
   libassimp-dev libembree-dev nlohmann-json3-dev         # meshes, rays, hand configs
+  libeigen3-dev                                          # axes of a palm's surface
   libcli11-dev                                           # tools
 )
 
 uhas_test_packages=(
   doctest-dev mandoc pkg-config
-  liborocos-kdl-dev libeigen3-dev                        # independent kinematics
+  liborocos-kdl-dev                                      # independent kinematics
   libnlopt-cxx-dev libnlopt-dev                          # independent optimiser
   python3 python3-numpy python3-h5py python3-jsonschema  # second reader of the profile, schema validator
 )

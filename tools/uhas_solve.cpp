@@ -1,5 +1,6 @@
 // uhas-solve: actions become joint angles.
 #include <iostream>
+#include <optional>
 
 #include "common/actions.hpp"
 #include "common/json_lines.hpp"
@@ -15,8 +16,21 @@ namespace {
 
 struct Options {
   std::string actions, profile, output;
-  SolveOptions solve;
+  std::optional<SolveOptions> convention;
+  std::optional<Rule> rule;
+  std::optional<Closing> closing;
+  SolveOptions solve;  // field and passes
   JointSelection joints;
+
+  /// With the rule and the closing that were asked for, else those of the convention: the option's, else the file's.
+  SolveOptions solve_options(const SolveOptions& convention_of_file) const {
+    SolveOptions result = convention.value_or(convention_of_file);
+    result.rule = rule.value_or(result.rule);
+    result.closing = closing.value_or(result.closing);
+    result.field = solve.field;
+    result.passes = solve.passes;
+    return result;
+  }
 };
 
 void add_options(CLI::App& app, Options& options) {
@@ -26,11 +40,16 @@ void add_options(CLI::App& app, Options& options) {
       ->type_name("FILE");
   app.add_option("--profile", options.profile, "Hand profile [the one that the actions file names]")->type_name("FILE");
   app.add_option("-o,--output", options.output, "File to write the solution to [standard output]")->type_name("FILE");
-  add_choice<Rule>(app, "--rule", options.solve.rule,
-                   {{"correspondence", Rule::correspondence}, {"contact", Rule::contact}},
-                   "How a joint angle follows from the deformed sphere [correspondence]");
-  add_choice<Closing>(app, "--closing", options.solve.closing, {{"fade", Closing::fade}, {"hard", Closing::hard}},
-                      "How joints close as the sphere vanishes [fade]");
+  std::vector<std::pair<std::string, std::optional<SolveOptions>>> conventions;
+  for (const NamedConvention& convention : kConventions) conventions.emplace_back(convention.name, convention.options);
+  add_choice(app, "--convention", options.convention, conventions,
+             "What the numbers of an action mean [the one that the actions file names, else uhas]");
+  add_choice<std::optional<Rule>>(app, "--rule", options.rule,
+                                  {{"correspondence", Rule::correspondence}, {"contact", Rule::contact}},
+                                  "How a joint angle follows from the deformed sphere [correspondence]");
+  add_choice<std::optional<Closing>>(app, "--closing", options.closing,
+                                     {{"fade", Closing::fade}, {"hard", Closing::hard}},
+                                     "How joints close as the sphere vanishes [fade]");
   add_choice<FieldReading>(app, "--field", options.solve.field,
                            {{"finger", FieldReading::finger}, {"field", FieldReading::field}},
                            "Which deformation a point takes: its finger's, or the interpolated one [finger]");
@@ -48,7 +67,7 @@ ExitCode solve_stream(const Tool& tool, const Options& options) {
   if (options.profile.empty()) throw Tool::wrong_usage("--profile", "needed when actions come from standard input");
   if (!options.output.empty()) throw Tool::wrong_usage("--output", "a stream of solutions goes to standard output");
   const HandProfile profile = read_profile(options.profile);
-  SolutionMaker maker(profile, options.solve, options.joints);
+  SolutionMaker maker(profile, options.solve_options(kUhas), options.joints);
   const std::size_t failed = answer_json_lines(std::cin, std::cout, [&](const std::string& line) {
     const std::vector<double> values = parse_action(line);
     return maker.solve({.values = values}, "");
@@ -65,7 +84,7 @@ ExitCode solve_file(const Options& options) {
   if (profile_path.empty())
     throw Tool::wrong_usage("--profile", "needed because " + options.actions + " does not name a hand profile");
   const HandProfile profile = read_profile(profile_path);
-  SolutionMaker maker(profile, options.solve, options.joints);
+  SolutionMaker maker(profile, options.solve_options(document.convention), options.joints);
 
   Json solutions = Json::array();
   for (std::size_t i = 0; i < document.actions.size(); ++i)

@@ -33,16 +33,14 @@ Vector3d damped_error(const Jacobian& J, const std::array<bool, kMostUnknowns>& 
   return solve_symmetric(A, error);
 }
 
-void reach_with(const PeerFinger& finger, Vector3d target, std::span<double> q) {
+/// Steps from `value` toward the target; whether it came there.
+bool descend(const PeerFinger& finger, Vector3d target, std::array<double, kMostUnknowns>& value) {
   const std::size_t unknowns = finger.unknowns.size();
-  std::array<double, kMostUnknowns> value;
-  for (std::size_t u = 0; u < unknowns; ++u) value[u] = q[finger.unknowns[u]];
-
   Jacobian J;
   for (int step = 0; step < kMostSteps; ++step) {
     const Vector3d error = target - fingertip_with_jacobian(
                                         finger, [&](int u) { return value[u]; }, J);
-    if (dot(error, error) < kTolerance * kTolerance) break;
+    if (dot(error, error) < kTolerance * kTolerance) return true;
 
     // an unknown that would leave its limits is held there, and the others step again without it
     std::array<bool, kMostUnknowns> free;
@@ -53,15 +51,26 @@ void reach_with(const PeerFinger& finger, Vector3d target, std::span<double> q) 
       for (std::size_t u = 0; u < unknowns && !again; ++u) {
         if (!free[u]) continue;
         const double next = value[u] + dot(J[u], damped);
-        const bool at_limit =
-            (value[u] <= finger.lower[u] && next < value[u]) || (value[u] >= finger.upper[u] && next > value[u]);
-        if (at_limit) free[u] = false, again = true;
+        again = (value[u] <= finger.lower[u] && next < value[u]) || (value[u] >= finger.upper[u] && next > value[u]);
+        if (again) free[u] = false;
       }
       if (again) continue;
       for (std::size_t u = 0; u < unknowns; ++u)
         if (free[u]) value[u] = std::clamp(value[u] + dot(J[u], damped), finger.lower[u], finger.upper[u]);
     }
   }
+  return false;
+}
+
+/// From the last answer; from the middle of the limits when that leads nowhere, for a finger once astray stays there.
+void reach_with(const PeerFinger& finger, Vector3d target, std::span<double> q) {
+  const std::size_t unknowns = finger.unknowns.size();
+  std::array<double, kMostUnknowns> value, middle;
+  for (std::size_t u = 0; u < unknowns; ++u) {
+    value[u] = q[finger.unknowns[u]];
+    middle[u] = (finger.lower[u] + finger.upper[u]) / 2;
+  }
+  if (!descend(finger, target, value) && descend(finger, target, middle)) value = middle;
   for (std::size_t u = 0; u < unknowns; ++u) q[finger.unknowns[u]] = value[u];
 }
 

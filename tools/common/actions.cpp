@@ -94,6 +94,12 @@ std::size_t action_size_for(std::span<const double> driving_vectors_phi, const P
                     "write V numbers, or 5 V, for V = 1 to 4");
 }
 
+SolveOptions convention_named(const Json& name, const Place& place) {
+  for (const NamedConvention& convention : kConventions)
+    if (name == convention.name) return convention.options;
+  throw place.error("convention is " + excerpt(name), "write \"uhas\" or \"uhas-sim\"");
+}
+
 }  // namespace
 
 ActionsDocument read_actions(const std::string& path) {
@@ -104,8 +110,9 @@ ActionsDocument read_actions(const std::string& path) {
   if (const Json version = json.value("version", Json()); version != 1)
     throw Error(ErrorCode::unsupported_version, path, "version is " + excerpt(version) + ", this tool reads 1",
                 "write \"version\": 1");
-  refuse_unknown_keys(json, std::array{"format", "version", "profile", "driving_vectors_phi", "normalized", "actions"},
-                      place);
+  refuse_unknown_keys(
+      json, std::array{"format", "version", "profile", "convention", "driving_vectors_phi", "normalized", "actions"},
+      place);
 
   ActionsDocument document;
   if (json.contains("profile")) {
@@ -118,6 +125,8 @@ ActionsDocument read_actions(const std::string& path) {
     if (!json["normalized"].is_boolean()) throw place.error("normalized is not true or false", "write true or false");
     document.normalized = json["normalized"].get<bool>();
   }
+
+  if (json.contains("convention")) document.convention = convention_named(json["convention"], place);
 
   if (!json.contains("actions") || !json["actions"].is_array())
     throw place.error("actions is missing or not an array", "write \"actions\": [[15 numbers], ...]");

@@ -7,7 +7,8 @@ using namespace uhas;
 static_assert(UHAS_OK == int(Status::ok) && UHAS_NON_FINITE_INPUT == int(Status::non_finite_input) &&
               UHAS_WRONG_SIZE == int(Status::wrong_size) &&
               UHAS_INVALID_DRIVING_VECTORS == int(Status::invalid_driving_vectors) &&
-              UHAS_UNKNOWN_HAND == int(Status::unknown_hand) && UHAS_INVALID_PERIOD == int(Status::invalid_period));
+              UHAS_UNKNOWN_HAND == int(Status::unknown_hand) && UHAS_INVALID_PERIOD == int(Status::invalid_period) &&
+              UHAS_INVALID_RADIAL_BOUNDS == int(Status::invalid_radial_bounds));
 static_assert(UHAS_ERROR_FILE_UNREADABLE == int(ErrorCode::file_unreadable) &&
               UHAS_ERROR_INVALID_PROFILE == int(ErrorCode::invalid_profile) &&
               UHAS_ERROR_UNSUPPORTED_VERSION == int(ErrorCode::unsupported_version) &&

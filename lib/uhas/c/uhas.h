@@ -47,7 +47,8 @@ typedef enum uhas_status {
   UHAS_WRONG_SIZE = 2,              /* an array of the wrong length */
   UHAS_INVALID_DRIVING_VECTORS = 3, /* driving-vector angles not strictly increasing in (0, pi) */
   UHAS_UNKNOWN_HAND = 4,            /* a row for a hand that the solver does not have */
-  UHAS_INVALID_PERIOD = 5           /* a control period that is not a positive finite number */
+  UHAS_INVALID_PERIOD = 5,          /* a control period that is not a positive finite number */
+  UHAS_INVALID_RADIAL_BOUNDS = 6    /* radial bounds that are not lower <= 0 <= upper */
 } uhas_status;
 
 /* A short English sentence; never NULL. */

@@ -1,4 +1,5 @@
-// From an action's numbers to the deformation of each finger's plane: denormalise, clamp, average shared slots (design 2).
+// From an action's numbers to the deformation of each finger's plane: denormalise, clamp, average shared slots (design
+// 2).
 #pragma once
 
 #include <cmath>
@@ -20,12 +21,21 @@ struct ActionNumbers {
   int angles = 0;          ///< 0: default driving angles; V or 5 V
   bool common_phi = true;  ///< `phi` are the same in every lane
   bool normalized = false;
+  const Num* azimuth_offsets = nullptr;  ///< [5]; null: none
+  const Num* radial_bounds = nullptr;    ///< [2] lower, upper; null: the convention's
 };
+
+/// Null for no numbers at all.
+template <class Real>
+const Real* data_or_null(std::span<const Real> numbers) noexcept {
+  return numbers.empty() ? nullptr : numbers.data();
+}
 
 template <class Real>
 class ActionDecoder {
  public:
-  explicit ActionDecoder(const HandProfile& profile) {
+  explicit ActionDecoder(const HandProfile& profile, const ActionConvention& convention = {})
+      : convention_(convention) {
     for (const ProfileFinger& finger : profile.fingers) {
       Owner owner{.slots = finger.slots, .lower = 0, .upper = 0};
       if (finger.lateral_table >= 0) {
@@ -52,7 +62,23 @@ class ActionDecoder {
     if (vectors == 0) return Status::wrong_size;
     for (Real value : action.values)
       if (!std::isfinite(value)) return Status::non_finite_input;
+    if (const Status status = check_offsets(action.azimuth_offsets); status != Status::ok) return status;
+    if (const Status status = check_bounds(action.radial_bounds); status != Status::ok) return status;
     return check_angles(action.driving_vectors_phi, vectors);
+  }
+
+  /// The same for azimuth offsets and for radial bounds alone.
+  static Status check_offsets(std::span<const Real> offsets) noexcept {
+    if (!offsets.empty() && offsets.size() != kSlotCount) return Status::wrong_size;
+    for (Real offset : offsets)
+      if (!std::isfinite(offset)) return Status::non_finite_input;
+    return Status::ok;
+  }
+  static Status check_bounds(std::span<const Real> bounds) noexcept {
+    if (bounds.empty()) return Status::ok;
+    if (bounds.size() != 2) return Status::wrong_size;
+    if (!std::isfinite(bounds[0]) || !std::isfinite(bounds[1])) return Status::non_finite_input;
+    return bounds[0] <= Real(0) && bounds[1] >= Real(0) ? Status::ok : Status::invalid_radial_bounds;
   }
 
   /// The same for driving angles alone.
@@ -70,6 +96,12 @@ class ActionDecoder {
   template <class Num>
   void decode(const ActionNumbers<Num>& action, PlaneDeformation<Num>* planes) const noexcept {
     const int vectors = action.vectors;
+    const bool own_bounds = action.radial_bounds != nullptr;
+    const Num lowest = own_bounds ? action.radial_bounds[0] : Num(Real(convention_.radial_lower));
+    const Num highest = own_bounds ? action.radial_bounds[1] : Num(Real(convention_.radial_upper));
+    const Num at_rest(convention_.absolute_radii ? Real(1)
+                                                 : Real(0));  // a radial input that leaves the sphere as it is
+    const Num sign(Real(convention_.azimuth_sign));
     for (std::size_t f = 0; f < owners_.size(); ++f) {
       const Owner& owner = owners_[f];
       PlaneDeformation<Num>& plane = planes[f];
@@ -81,10 +113,14 @@ class ActionDecoder {
       for (int slot = 0; slot < kSlotCount; ++slot) {
         if (!owner.slots[slot]) continue;
         ++shared;
-        plane.delta_theta += bounded(action.values[slot], owner.lower, owner.upper, action.normalized);
+        const Num lower(owner.lower), upper(owner.upper);
+        Num delta_theta = bounded(sign * action.values[slot], lower, upper, action.normalized);
+        if (action.azimuth_offsets != nullptr)
+          delta_theta = clamp(delta_theta + action.azimuth_offsets[slot], lower, upper);
+        plane.delta_theta += delta_theta;
         for (int j = 0; j < vectors; ++j) {
-          constexpr Real bound = Real(kRadialBound);
-          plane.delta_r[j] += bounded(action.values[kSlotCount + vectors * slot + j], -bound, bound, action.normalized);
+          const Num& input = action.values[kSlotCount + vectors * slot + j];
+          plane.delta_r[j] += bounded(input, lowest, highest, action.normalized) - at_rest;
           if (action.angles != 0) plane.phi[j] += action.phi[(action.angles == vectors ? 0 : vectors * slot) + j];
         }
       }
@@ -94,7 +130,7 @@ class ActionDecoder {
         plane.delta_r[j] *= share;
         plane.phi[j] = action.angles == 0 ? Num(default_phi_[vectors - 1][j]) : plane.phi[j] * share;
       }
-      plane.find_slopes();
+      plane.find_slopes(convention_.held_toward_pole);
     }
   }
 
@@ -105,11 +141,12 @@ class ActionDecoder {
   };
 
   template <class Num>
-  static Num bounded(Num value, Real lower, Real upper, bool normalized) noexcept {
-    if (normalized) value *= select(value < Num(0), Num(-lower), Num(upper));
-    return clamp(value, Num(lower), Num(upper));
+  static Num bounded(Num value, Num lower, Num upper, bool normalized) noexcept {
+    if (normalized) value *= select(value < Num(0), -lower, upper);
+    return clamp(value, lower, upper);
   }
 
+  ActionConvention convention_;
   std::vector<Owner> owners_;
   std::array<std::array<Real, kMaxDrivingVectors>, kMaxDrivingVectors> default_phi_{};  // [V - 1][j]
 };

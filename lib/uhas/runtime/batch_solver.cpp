@@ -89,8 +89,19 @@ class BatchSolver<Real>::Crew {
       return batch_.count == 0 || (stride >= width && size >= width && (size - width) / stride >= batch_.count - 1);
     };
     // the last row of a mixed set may be of a hand with few joints; its length is not looked at
-    if (!holds(batch_.values.size(), batch_.stride, numbers_) || !holds(q_size, q_stride_, widest_)) return Status::wrong_size;
+    if (!holds(batch_.values.size(), batch_.stride, numbers_) || !holds(q_size, q_stride_, widest_))
+      return Status::wrong_size;
     if (!statuses_.empty() && statuses_.size() != batch_.count) return Status::wrong_size;
+    offsets_per_row_ = batch_.azimuth_offsets.size() > kSlotCount;
+    bounds_per_row_ = batch_.radial_bounds.size() > 2;
+    if (offsets_per_row_ && batch_.azimuth_offsets.size() != batch_.count * kSlotCount) return Status::wrong_size;
+    if (bounds_per_row_ && batch_.radial_bounds.size() != batch_.count * 2) return Status::wrong_size;
+    if (const Status status = ActionDecoder<Real>::check_offsets(offsets_per_row_ ? kNothing : batch_.azimuth_offsets);
+        status != Status::ok)
+      return status;
+    if (const Status status = ActionDecoder<Real>::check_bounds(bounds_per_row_ ? kNothing : batch_.radial_bounds);
+        status != Status::ok)
+      return status;
     if (!batch_.hands.empty() && batch_.hands.size() != batch_.count) return Status::wrong_size;
 
     const std::size_t angles = batch_.driving_vectors_phi.size(), vectors = batch_.driving_vectors;
@@ -118,12 +129,20 @@ class BatchSolver<Real>::Crew {
   }
 
   void take(Worker& worker, std::size_t row) noexcept {
+    const auto part = [&](std::span<const Real> numbers, bool per_row, std::size_t width) {
+      return per_row ? numbers.subspan(row * width, width) : numbers;
+    };
     const std::span<const Real> values = batch_.values.subspan(row * batch_.stride, numbers_);
-    const std::span<const Real> phi = batch_.driving_vectors_phi.subspan(batch_.phi_per_row ? row * angles_ : 0, angles_);
+    const std::span<const Real> phi = part(batch_.driving_vectors_phi, batch_.phi_per_row, angles_);
+    const std::span<const Real> offsets = part(batch_.azimuth_offsets, offsets_per_row_, kSlotCount);
+    const std::span<const Real> bounds = part(batch_.radial_bounds, bounds_per_row_, 2);
     const int hand = batch_.hands.empty() ? 0 : batch_.hands[row];
     Status status = hand < 0 || hand >= hand_count() ? Status::unknown_hand : Status::ok;
-    if (status == Status::ok)
-      status = ActionDecoder<Real>::check({values, batch_.phi_per_row ? phi : std::span<const Real>{}, false});
+    if (status == Status::ok)  // what all rows share has been checked
+      status = ActionDecoder<Real>::check({.values = values,
+                                           .driving_vectors_phi = batch_.phi_per_row ? phi : kNothing,
+                                           .azimuth_offsets = offsets_per_row_ ? offsets : kNothing,
+                                           .radial_bounds = bounds_per_row_ ? bounds : kNothing});
     if (!statuses_.empty()) statuses_[row] = status;
     if (status != Status::ok) {
       if (row < worker.first_refused) worker.first_refused = row, worker.refusal = status;
@@ -132,6 +151,8 @@ class BatchSolver<Real>::Crew {
     Bench& bench = worker.hands[hand];
     bench.rows.values[bench.waiting] = values.data();
     bench.rows.phi[bench.waiting] = phi.data();
+    bench.rows.azimuth_offsets[bench.waiting] = data_or_null(offsets);
+    bench.rows.radial_bounds[bench.waiting] = data_or_null(bounds);
     bench.rows.q[bench.waiting] = q_ + row * q_stride_;
     if (++bench.waiting == std::size_t(lanes_.width)) flush(bench, hand);
   }
@@ -139,8 +160,12 @@ class BatchSolver<Real>::Crew {
   /// Solves the rows that wait. Lanes that have none repeat the first.
   void flush(Bench& bench, int hand) noexcept {
     if (bench.waiting == 0) return;
-    for (int l = static_cast<int>(bench.waiting); l < lanes_.width; ++l)
-      bench.rows.values[l] = bench.rows.values[0], bench.rows.phi[l] = bench.rows.phi[0];
+    for (int l = static_cast<int>(bench.waiting); l < lanes_.width; ++l) {
+      bench.rows.values[l] = bench.rows.values[0];
+      bench.rows.phi[l] = bench.rows.phi[0];
+      bench.rows.azimuth_offsets[l] = bench.rows.azimuth_offsets[0];
+      bench.rows.radial_bounds[l] = bench.rows.radial_bounds[0];
+    }
     bench.rows.count = static_cast<int>(bench.waiting);
     bench.rows.vectors = batch_.driving_vectors;
     bench.rows.angles = angles_;
@@ -149,6 +174,8 @@ class BatchSolver<Real>::Crew {
     lanes_.solve(bench.scratch.get(), *models_[hand], bench.rows);
     bench.waiting = 0;
   }
+
+  static constexpr std::span<const Real> kNothing{};
 
   CascadeLanes<Real> lanes_;
   WorkerPool pool_;
@@ -162,6 +189,7 @@ class BatchSolver<Real>::Crew {
   std::size_t q_stride_ = 0;
   std::span<Status> statuses_;
   int numbers_ = 0, angles_ = 0;  // of a row
+  bool offsets_per_row_ = false, bounds_per_row_ = false;
   std::atomic<std::size_t> next_row_{0};
 };
 
@@ -170,13 +198,17 @@ BatchSolver<Real>::BatchSolver(const HandProfile& profile, const SolveOptions& o
     : BatchSolver(std::span(&profile, 1), options, batch) {}
 
 template <class Real>
-BatchSolver<Real>::BatchSolver(std::span<const HandProfile> hands, const SolveOptions& options, const BatchOptions& batch) {
+BatchSolver<Real>::BatchSolver(std::span<const HandProfile> hands, const SolveOptions& options,
+                               const BatchOptions& batch) {
   constexpr int most_threads = 256;
-  if (hands.empty()) throw Error(ErrorCode::invalid_action, "", "a batch solver needs a hand", "give it one profile or more");
+  if (hands.empty())
+    throw Error(ErrorCode::invalid_action, "", "a batch solver needs a hand", "give it one profile or more");
   if (batch.threads < 1 || batch.threads > most_threads)
-    throw Error(ErrorCode::invalid_action, "", "threads is " + std::to_string(batch.threads), "choose a number from 1 to 256");
+    throw Error(ErrorCode::invalid_action, "", "threads is " + std::to_string(batch.threads),
+                "choose a number from 1 to 256");
   if (!is_available(batch.instruction_set))
-    throw Error(ErrorCode::invalid_action, "", std::string("this machine or build has no ") + to_string(batch.instruction_set),
+    throw Error(ErrorCode::invalid_action, "",
+                std::string("this machine or build has no ") + to_string(batch.instruction_set),
                 "leave the choice to the library");
   crew_ = std::make_unique<Crew>(hands, options, batch);
 }

@@ -13,22 +13,32 @@ struct CascadeLanesOf {
   static constexpr int width = LaneTraits<Num>::width;
   static_assert(width <= kMostLanes);
 
+  /// Number by number, a row a lane.
+  static void gather(const Real* const* rows, int count, Num* numbers) {
+    for (int i = 0; i < count; ++i)
+      for (int l = 0; l < width; ++l) set_lane(numbers[i], l, rows[l][i]);
+  }
+
   static void* make(const SolverModel<Real>& model) { return new Scratch(model); }
   static void destroy(void* scratch) { delete static_cast<Scratch*>(scratch); }
 
   static void solve(void* scratch, const SolverModel<Real>& model, const ActionRows<Real>& rows) {
     Scratch& cascade = *static_cast<Scratch*>(scratch);
     Num values[kSlotCount * (1 + kMaxDrivingVectors)], phi[kSlotCount * kMaxDrivingVectors];
-    for (int i = 0; i < kSlotCount * (1 + rows.vectors); ++i)
-      for (int l = 0; l < width; ++l) set_lane(values[i], l, rows.values[l][i]);
-    for (int i = 0; i < rows.angles; ++i)
-      for (int l = 0; l < width; ++l) set_lane(phi[i], l, rows.phi[l][i]);
+    Num azimuth_offsets[kSlotCount], radial_bounds[2];
+    const bool have_offsets = rows.azimuth_offsets[0] != nullptr, have_bounds = rows.radial_bounds[0] != nullptr;
+    gather(rows.values, kSlotCount * (1 + rows.vectors), values);
+    gather(rows.phi, rows.angles, phi);
+    gather(rows.azimuth_offsets, have_offsets ? kSlotCount : 0, azimuth_offsets);
+    gather(rows.radial_bounds, have_bounds ? 2 : 0, radial_bounds);
     const ActionNumbers<Num> numbers{.values = values,
                                      .phi = phi,
                                      .vectors = rows.vectors,
                                      .angles = rows.angles,
                                      .common_phi = rows.common_phi || width == 1,
-                                     .normalized = rows.normalized};
+                                     .normalized = rows.normalized,
+                                     .azimuth_offsets = have_offsets ? azimuth_offsets : nullptr,
+                                     .radial_bounds = have_bounds ? radial_bounds : nullptr};
     model.decoder.decode(numbers, cascade.planes.data());
     cascade.run(model);
     for (int i = 0; i < static_cast<int>(model.joints.size()); ++i) {

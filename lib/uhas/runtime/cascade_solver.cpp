@@ -54,7 +54,9 @@ Status CascadeSolver<Real>::solve(const Action<Real>& action, std::span<Real> q)
                                     .phi = action.driving_vectors_phi.data(),
                                     .vectors = model_->decoder.vectors_of(action.values.size()),
                                     .angles = static_cast<int>(action.driving_vectors_phi.size()),
-                                    .normalized = action.normalized};
+                                    .normalized = action.normalized,
+                                    .azimuth_offsets = data_or_null(action.azimuth_offsets),
+                                    .radial_bounds = data_or_null(action.radial_bounds)};
   model_->decoder.decode(numbers, cascade.planes.data());
   cascade.run(*model_);
   for (std::size_t i = 0; i < q.size(); ++i) q[i] = cascade.q(static_cast<int>(i)) * model_->joints[i].unit;
@@ -63,7 +65,9 @@ Status CascadeSolver<Real>::solve(const Action<Real>& action, std::span<Real> q)
 
 template <class Real>
 Status CascadeSolver<Real>::solve(const Action<Real>& action, std::span<Real> q, SolveReport& report) noexcept {
-  const auto fits = [&](std::span<std::uint8_t> flags) { return flags.empty() || flags.size() == model_->joints.size(); };
+  const auto fits = [&](std::span<std::uint8_t> flags) {
+    return flags.empty() || flags.size() == model_->joints.size();
+  };
   if (!fits(report.at_limit) || !fits(report.closed)) return Status::wrong_size;
   const Status status = solve(action, q);
   if (status != Status::ok) return status;

@@ -42,7 +42,16 @@ struct SolveOptions {
   Closing closing = Closing::fade;
   FieldReading field = FieldReading::finger;
   int passes = 1;  ///< 1..100: sweeps over each finger; more come nearer to the least-squares optimum
+  ActionConvention convention{};  ///< what the numbers of an action mean
 };
+
+/// uhas' own convention, and that of the authors' released simulation code with the rule and closing of its controller: radii
+/// instead of displacements, held toward the pole, azimuth about the opposite normal. By its description only: not yet compared
+/// with output of that code. Its sphere is smaller: build the profile with radius scale 0.8.
+inline constexpr SolveOptions kUhas{};
+inline constexpr SolveOptions kUhasSim{.rule = Rule::contact,
+                                       .closing = Closing::hard,
+                                       .convention = {.absolute_radii = true, .held_toward_pole = true, .azimuth_sign = -1}};
 
 /// What a solve found out besides the joint angles. The spans are caller-owned, one element a joint, or empty.
 struct SolveReport {
@@ -56,7 +65,8 @@ struct SolveReport {
 template <class Real>
 class CascadeSolver {
  public:
-  /// Throws Error: invalid_profile for a profile that `validate_profile` refuses, invalid_action for passes out of range.
+  /// Throws Error: invalid_profile for a profile that `validate_profile` refuses, invalid_action for passes or numbers of the
+  /// convention out of range.
   explicit CascadeSolver(const HandProfile& profile, const SolveOptions& options = {});
   CascadeSolver(const CascadeSolver& other);
   CascadeSolver& operator=(const CascadeSolver& other);

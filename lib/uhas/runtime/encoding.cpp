@@ -13,12 +13,17 @@ namespace {
 
 constexpr int kMaxUnknowns = kSlotCount * (1 + kMaxDrivingVectors);  // five fingers in one group
 
-// Added to the displacements of the linear start, one start after the other. Closing begins to fade at delta r = -0.5,
-// with zero slope, so a descent that comes from above does not enter: the second start lies beyond.
-constexpr std::array kStartShifts{0.0, -0.4};
+// Added to the displacements of the linear start, one start after the other: to those of the first and third driving
+// vector, and to those of the second and fourth. Closing begins to fade at delta r = -0.5, with zero slope, so a
+// descent that comes from above does not enter: the second start lies beyond. Neighbours may also fit the wrong way
+// round.
+struct StartShift {
+  double odd, even;
+};
+constexpr std::array<StartShift, 4> kStarts{{{0.0, 0.0}, {-0.4, -0.4}, {-0.5, 0.5}, {0.5, -0.5}}};
 
 // steps of a descent from one start: with the wider limits, then with the hand's own
-constexpr int kRelaxedSteps = 10, kSteps = 6;
+constexpr int kRelaxedSteps = 10, kSteps = 30;
 
 constexpr double kFirstDamping = 1e-3, kLeastDamping = 1e-9, kMostDamping = 1e3, kDampingFactor = 10;
 constexpr double kLongestStep = 0.4;  // of an unknown: a hand that has closed feels nothing and would not come back
@@ -50,9 +55,9 @@ void Encoding<Real>::run(const EncoderModel& model, std::span<const Real> q) noe
   set_target(model, q);
   model.start(target_, T_palm_joint_, start_);
   std::fill(best_.cost.begin(), best_.cost.end(), std::numeric_limits<double>::infinity());
-  for (double shift : kStartShifts) {
+  for (const StartShift& shift : kStarts) {
     if (std::all_of(best_.cost.begin(), best_.cost.end(), is_settled)) break;
-    begin(model, shift);
+    begin(model, shift.odd, shift.even);
     // delta theta waits: that of the table is exact for every posture that a solve gives
     descend(model, relaxed_solver_, Freedom::displacements, kRelaxedSteps);
     descend(model, solver_, Freedom::all, kSteps);
@@ -78,13 +83,15 @@ void Encoding<Real>::set_target(const EncoderModel& model, std::span<const Real>
 
 // the linear start, displaced; a group that has settled stays
 template <class Real>
-void Encoding<Real>::begin(const EncoderModel& model, double shift) noexcept {
+void Encoding<Real>::begin(const EncoderModel& model, double odd_shift, double even_shift) noexcept {
   for (std::size_t g = 0; g < model.groups.size(); ++g) {
     for (int f : model.groups[g].fingers) now_.actions[f] = is_settled(best_.cost[g]) ? best_.actions[f] : start_[f];
     if (is_settled(best_.cost[g])) continue;
     for (int u = 0; u < model.groups[g].displacements; ++u) {
       const auto [f, number] = model.groups[g].unknowns[u];
-      now_.actions[f][number] = std::max(start_[f][number] + shift, model.fingers[f].lower[number]);
+      const EncoderFinger& finger = model.fingers[f];
+      now_.actions[f][number] = std::clamp(start_[f][number] + (number % 2 == 1 ? odd_shift : even_shift),
+                                           finger.lower[number], finger.upper[number]);
     }
   }
 }
@@ -95,7 +102,7 @@ void Encoding<Real>::descend(const EncoderModel& model, CascadeSolver<Real>& sol
   solve(model, solver, now_);
   std::fill(damping_.begin(), damping_.end(), kFirstDamping);
   for (int n = 0; n < steps; ++n) {
-    if (std::all_of(now_.cost.begin(), now_.cost.end(), is_settled)) return;
+    if (has_ended()) return;
     differentiate(model, solver, freedom);
     step(model, freedom);
     solve(model, solver, trial_);
@@ -175,6 +182,14 @@ void Encoding<Real>::keep_better(const EncoderModel& model) noexcept {
       damping_[g] = std::min(damping_[g] * kDampingFactor, kMostDamping);
     }
   }
+}
+
+// every group has settled, or finds nothing better however short its step
+template <class Real>
+bool Encoding<Real>::has_ended() const noexcept {
+  for (std::size_t g = 0; g < damping_.size(); ++g)
+    if (!is_settled(now_.cost[g]) && damping_[g] < kMostDamping) return false;
+  return true;
 }
 
 template <class Real>

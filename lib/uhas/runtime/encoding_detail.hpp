@@ -39,12 +39,13 @@ class Encoding {
   enum class Freedom { displacements, all };  // which unknowns a descent moves
 
   void set_target(const EncoderModel& model, std::span<const Real> q) noexcept;
-  void begin(const EncoderModel& model, double shift) noexcept;
+  void begin(const EncoderModel& model, double odd_shift, double even_shift) noexcept;
   void descend(const EncoderModel& model, CascadeSolver<Real>& solver, Freedom freedom, int steps) noexcept;
   void solve(const EncoderModel& model, CascadeSolver<Real>& solver, Attempt& attempt) noexcept;
   void differentiate(const EncoderModel& model, CascadeSolver<Real>& solver, Freedom freedom) noexcept;
   void step(const EncoderModel& model, Freedom freedom) noexcept;
   void keep_better(const EncoderModel& model) noexcept;
+  bool has_ended() const noexcept;
   void copy_group(const FingerGroup& group, std::size_t index, const Attempt& from, Attempt& to) const noexcept;
   double error(const EncoderModel& model, const Attempt& attempt, int joint) const noexcept;
 

@@ -8,14 +8,14 @@
 
 namespace uhas {
 
-/// A displacement over polar angles: 0 at the palm pole, linear between driving vectors, constant beyond the last one.
-/// Nothing is set by default: a solve makes many of these.
+/// A displacement over polar angles: linear between driving vectors and constant beyond the last one; before the first
+/// one linear from 0 at the palm pole, or constant too. Nothing is set by default: a solve makes many of these.
 template <class Num>
 struct RadialProfile {
   int vectors;                                  ///< V
   std::array<Num, kMaxDrivingVectors> phi;      ///< [V] polar angles of the driving vectors, increasing
   std::array<Num, kMaxDrivingVectors> delta_r;  ///< [V] displacements there, radii
-  std::array<Num, kMaxDrivingVectors> slope;    ///< [V] radii a rad, on the way from vector j - 1 (first: the pole) to j
+  std::array<Num, kMaxDrivingVectors> slope;  ///< [V] radii a rad, on the way from vector j - 1 (first: the pole) to j
 
   /// The displacement at a polar angle, and at the greater of that angle and the first driving vector's.
   struct At {
@@ -40,8 +40,9 @@ struct PlaneDeformation : RadialProfile<Num> {
   Num lowest{}, steepest{};   ///< least displacement of a vector; greatest |slope|
 
   /// Slopes, `lowest` and `steepest` from vectors, angles and displacements.
-  void find_slopes() {
-    this->slope[0] = this->delta_r[0] / this->phi[0];
+  /// @param held_toward_pole  constant before the first vector
+  void find_slopes(bool held_toward_pole) {
+    this->slope[0] = held_toward_pole ? Num(0) : this->delta_r[0] / this->phi[0];
     lowest = this->delta_r[0];
     steepest = abs(this->slope[0]);
     for (int j = 1; j < this->vectors; ++j) {

@@ -273,7 +273,7 @@ std::vector<SolverPart> gather_parts(const HandProfile& profile, const SolverMod
 
 template <class Real>
 SolverModel<Real>::SolverModel(const HandProfile& profile, const SolveOptions& solve_options)
-    : options(solve_options), decoder(profile), azimuth_sign(profile.mirrored ? Real(-1) : Real(1)) {
+    : options(solve_options), decoder(profile, solve_options.convention), azimuth_sign(profile.mirrored ? Real(-1) : Real(1)) {
   const int joint_count = static_cast<int>(profile.tree.joints.size());
   const int finger_count = static_cast<int>(profile.fingers.size());
   for (int i = 0; i < joint_count; ++i) {
@@ -352,6 +352,11 @@ std::shared_ptr<const SolverModel<Real>> compile_solver_model(const HandProfile&
   constexpr int max_passes = 100;
   if (options.passes < 1 || options.passes > max_passes)
     throw Error(ErrorCode::invalid_action, "", "passes is " + std::to_string(options.passes), "choose a number from 1 to 100");
+  const ActionConvention& convention = options.convention;
+  const auto bounded = [](double low, double x, double high) { return x >= low && x <= high; };
+  if (std::abs(convention.azimuth_sign) != 1 || !bounded(-1e6, convention.radial_lower, 0) || !bounded(0, convention.radial_upper, 1e6))
+    throw Error(ErrorCode::invalid_action, "", "the action convention has an azimuth sign or radial bounds out of range",
+                "choose a sign of 1 or -1 and bounds lower <= 0 <= upper");
   validate_profile(profile, "");
   return std::make_shared<const SolverModel<Real>>(profile, options);
 }

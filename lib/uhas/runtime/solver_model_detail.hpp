@@ -145,7 +145,8 @@ struct SolverModel {
   std::vector<int> group_of_finger;            ///< [finger] index into `plane_groups`
 };
 
-/// Throws Error: invalid_profile for a profile that `validate_profile` refuses, invalid_action for passes out of range.
+/// Throws Error: invalid_profile for a profile that `validate_profile` refuses, invalid_action for passes or numbers of the
+/// convention out of range.
 template <class Real>
 std::shared_ptr<const SolverModel<Real>> compile_solver_model(const HandProfile& profile, const SolveOptions& options);
 

@@ -1,4 +1,6 @@
 // Batches against single solves: every instruction set, any number of threads, mixed hands, rows that are refused.
+#include "uhas/runtime/batch_solver.hpp"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -11,7 +13,6 @@
 #include "support/mirrored_profile.hpp"
 #include "support/random_action.hpp"
 #include "support/small_profile.hpp"
-#include "uhas/runtime/batch_solver.hpp"
 
 using namespace uhas;
 
@@ -152,7 +153,8 @@ TEST_CASE("a row's result depends on no other row and on no number of threads") 
 }
 
 TEST_CASE("a mixed set of hands: each row is solved for its own") {
-  const std::vector<HandProfile> hands{test::small_profile(), test::arch_profile(), test::mirror_image(test::small_profile())};
+  const std::vector<HandProfile> hands{test::small_profile(), test::arch_profile(),
+                                       test::mirror_image(test::small_profile())};
   const RandomRows<double> rows(500, 2, 2.0, 8);
   std::vector<int> hand_of_row;
   for (std::size_t i = 0; i < rows.count; ++i) hand_of_row.push_back(int((i * i + i / 7) % 3));
@@ -237,6 +239,42 @@ TEST_CASE("normalised actions and angles for all rows") {
   }
 }
 
+TEST_CASE("azimuth offsets and radial bounds, for all rows or for each") {
+  const RandomRows<double> rows(40, 2, 2.0, 13);
+  std::mt19937_64 random(14);
+  std::uniform_real_distribution<double> unit(0, 1);
+  std::vector<double> offsets(40 * 5), bounds(40 * 2);
+  for (double& offset : offsets) offset = 0.2 * unit(random) - 0.1;
+  for (std::size_t i = 0; i < bounds.size(); ++i) bounds[i] = i % 2 == 0 ? -2 * unit(random) : 2 * unit(random);
+  CascadeSolver<double> single(test::small_profile());
+  std::vector<double> one(5);
+  for (InstructionSet set : available_sets()) {
+    BatchSolver<double> solver(test::small_profile(), {}, {.threads = 2, .instruction_set = set});
+    for (bool per_row : {false, true}) {
+      ActionBatch<double> batch = rows.batch(false);
+      batch.azimuth_offsets = std::span<const double>(offsets).first(per_row ? 200 : 5);
+      batch.radial_bounds = std::span<const double>(bounds).first(per_row ? 80 : 2);
+      const std::vector<double> q = solve_all(solver, batch);
+      for (std::size_t i = 0; i < rows.count; ++i) {
+        Action<double> action = rows.row(i, false);
+        action.azimuth_offsets = std::span<const double>(offsets).subspan(per_row ? 5 * i : 0, 5);
+        action.radial_bounds = std::span<const double>(bounds).subspan(per_row ? 2 * i : 0, 2);
+        REQUIRE(single.solve(action, one) == Status::ok);
+        for (std::size_t k = 0; k < 5; ++k) CHECK(q[5 * i + k] == doctest::Approx(one[k]).epsilon(1e-9));
+      }
+    }
+  }
+  bounds[2 * 7] = 0.1;
+  std::vector<double> q(200);
+  std::vector<Status> statuses(40);
+  BatchSolver<double> solver(test::small_profile());
+  ActionBatch<double> batch = rows.batch(false);
+  batch.radial_bounds = bounds;
+  CHECK(solver.solve(batch, q, statuses) == Status::invalid_radial_bounds);
+  CHECK(std::count(statuses.begin(), statuses.end(), Status::ok) == 39);
+  CHECK(statuses[7] == Status::invalid_radial_bounds);
+}
+
 TEST_CASE("what cannot be a batch is refused whole, and nothing is written") {
   const RandomRows<double> rows(10, 2, 1.0, 12);
   BatchSolver<double> solver(test::small_profile());
@@ -259,7 +297,8 @@ TEST_CASE("what cannot be a batch is refused whole, and nothing is written") {
   CHECK(changed([](auto& batch) { batch.count = std::numeric_limits<std::size_t>::max(); }) == Status::wrong_size);
   CHECK(changed([&](auto& batch) { batch.hands = nine_hands; }) == Status::wrong_size);
   CHECK(changed([&](auto& batch) { batch.driving_vectors_phi = falling; }) == Status::invalid_driving_vectors);
-  CHECK(changed([&](auto& batch) { batch.driving_vectors_phi = falling, batch.phi_per_row = true; }) == Status::wrong_size);
+  CHECK(changed([&](auto& batch) { batch.driving_vectors_phi = falling, batch.phi_per_row = true; }) ==
+        Status::wrong_size);
   CHECK(solver.solve(rows.batch(false), all.first(49)) == Status::wrong_size);
   CHECK(solver.solve(rows.batch(false), all, {}, 4) == Status::wrong_size);
   CHECK(solver.solve(rows.batch(false), all, nine) == Status::wrong_size);

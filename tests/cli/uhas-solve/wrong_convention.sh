@@ -1,0 +1,2 @@
+echo '{"format": "uhas-actions", "version": 1, "profile": "profile/allegro_right.h5", "convention": "isaac", "actions": []}' > actions.json
+uhas-solve actions.json

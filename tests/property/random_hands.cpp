@@ -1,5 +1,5 @@
-// Random hands that know their own anatomy: nearly all are read right, and no miss is silent: one of the items that it
-// comes from has a confidence below 0.5, which is a warning that names its key.
+// Random hands that know their own anatomy: nearly all are read right, and no miss is silent: the hand carries a warning
+// that names a key, or the class that is wrong has a small margin.
 // UHAS_SEEDS and UHAS_FIRST_SEED choose others; every miss prints its seed.
 #include <doctest/doctest.h>
 

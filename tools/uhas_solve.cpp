@@ -47,7 +47,8 @@ void add_options(CLI::App& app, Options& options) {
   add_choice<std::optional<Rule>>(app, "--rule", options.rule,
                                   {{"correspondence", Rule::correspondence}, {"contact", Rule::contact}},
                                   "How a joint angle follows from the deformed sphere [correspondence]");
-  add_choice<std::optional<Closing>>(app, "--closing", options.closing, {{"fade", Closing::fade}, {"hard", Closing::hard}},
+  add_choice<std::optional<Closing>>(app, "--closing", options.closing,
+                                     {{"fade", Closing::fade}, {"hard", Closing::hard}},
                                      "How joints close as the sphere vanishes [fade]");
   add_choice<FieldReading>(app, "--field", options.solve.field,
                            {{"finger", FieldReading::finger}, {"field", FieldReading::field}},

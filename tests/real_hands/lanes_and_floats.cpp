@@ -51,7 +51,8 @@ std::vector<Real> solve_singly(std::span<const Real> values) {
   const std::size_t joints = solver.joint_count();
   std::vector<Real> q(actions().count * joints);
   for (std::size_t n = 0; n < actions().count; ++n)
-    REQUIRE(solver.solve({.values = values.subspan(15 * n, 15)}, std::span(q).subspan(joints * n, joints)) == Status::ok);
+    REQUIRE(solver.solve({.values = values.subspan(15 * n, 15)}, std::span(q).subspan(joints * n, joints)) ==
+            Status::ok);
   return q;
 }
 

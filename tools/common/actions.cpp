@@ -111,7 +111,8 @@ ActionsDocument read_actions(const std::string& path) {
     throw Error(ErrorCode::unsupported_version, path, "version is " + excerpt(version) + ", this tool reads 1",
                 "write \"version\": 1");
   refuse_unknown_keys(
-      json, std::array{"format", "version", "profile", "convention", "driving_vectors_phi", "normalized", "actions"}, place);
+      json, std::array{"format", "version", "profile", "convention", "driving_vectors_phi", "normalized", "actions"},
+      place);
 
   ActionsDocument document;
   if (json.contains("profile")) {

@@ -22,7 +22,7 @@ struct ActionsDocument {
   std::string profile;  ///< path of the hand profile, relative to the actions file if it was so; empty = not stated
   std::vector<double> driving_vectors_phi;  ///< [V] or [5 V]; empty = the default angles
   bool normalized = false;
-  SolveOptions convention = kUhas;  ///< one of `kConventions`
+  SolveOptions convention = kUhas;           ///< one of `kConventions`
   std::vector<std::vector<double>> actions;  ///< [5 + 5 V] each
 
   Action<double> action(std::size_t index) const { return {actions[index], driving_vectors_phi, normalized}; }

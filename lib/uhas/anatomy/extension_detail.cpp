@@ -9,8 +9,9 @@
 namespace uhas {
 namespace {
 
-/// Where "straight" lies from the open end on when nothing else tells (rad).
-constexpr double kTypicalHyperextension = 0.15;
+/// Where "straight" lies from the open end on when nothing else tells (rad): this far, or so far that the joint closes by
+/// no more than a finger's base does.
+constexpr double kTypicalHyperextension = 0.15, kTypicalClosing = 1.65;
 /// From this part of the finger's length on, what lies between its root and its first flexion joint is a phalanx too,
 /// and the finger is straight when it continues that.
 constexpr double kShortestMetacarpal = 0.15;
@@ -53,7 +54,7 @@ void extend_finger(const Anatomy& anatomy, const FingerAnatomy& finger, const Ba
   const double open_end = sense > 0 ? joint.lower : joint.upper;
   if (flexion.sliding) return set_joint(anatomy.tree, variable, open_end, q);
 
-  const double length = finger_length(anatomy, finger);
+  const double length = finger_length(anatomy, finger), range = joint.upper - joint.lower;
   double value = 0;
   const auto set_base = [&](double wanted) {
     value = clamp_to_limits(joint, wanted);
@@ -68,9 +69,9 @@ void extend_finger(const Anatomy& anatomy, const FingerAnatomy& finger, const Ba
       return norm(pose.tip - pose.origin.front());
     }));
   } else {
-    const double bent_back = std::min(kTypicalHyperextension, (joint.upper - joint.lower) / 4);
+    const double bent_back = std::max(std::min(kTypicalHyperextension, range / 4), range - kTypicalClosing);
     set_base(open_end + (sense > 0 ? bent_back : -bent_back));
-    flexion.base_error = kGuessedBaseError * (joint.upper - joint.lower);
+    flexion.base_error = kGuessedBaseError * range;
     flexion.base_is_guess = true;
     if (evidence.slab) {
       if (const auto turn = turn_to_axis(anatomy, finger, flexion, q, evidence.slab->normal, pose)) {

@@ -1,4 +1,5 @@
-// From an action's numbers to the deformation of each finger's plane: denormalise, clamp, average shared slots (design 2).
+// From an action's numbers to the deformation of each finger's plane: denormalise, clamp, average shared slots (design
+// 2).
 #pragma once
 
 #include <cmath>
@@ -33,7 +34,8 @@ const Real* data_or_null(std::span<const Real> numbers) noexcept {
 template <class Real>
 class ActionDecoder {
  public:
-  explicit ActionDecoder(const HandProfile& profile, const ActionConvention& convention = {}) : convention_(convention) {
+  explicit ActionDecoder(const HandProfile& profile, const ActionConvention& convention = {})
+      : convention_(convention) {
     for (const ProfileFinger& finger : profile.fingers) {
       Owner owner{.slots = finger.slots, .lower = 0, .upper = 0};
       if (finger.lateral_table >= 0) {
@@ -97,7 +99,8 @@ class ActionDecoder {
     const bool own_bounds = action.radial_bounds != nullptr;
     const Num lowest = own_bounds ? action.radial_bounds[0] : Num(Real(convention_.radial_lower));
     const Num highest = own_bounds ? action.radial_bounds[1] : Num(Real(convention_.radial_upper));
-    const Num at_rest(convention_.absolute_radii ? Real(1) : Real(0));  // a radial input that leaves the sphere as it is
+    const Num at_rest(convention_.absolute_radii ? Real(1)
+                                                 : Real(0));  // a radial input that leaves the sphere as it is
     const Num sign(Real(convention_.azimuth_sign));
     for (std::size_t f = 0; f < owners_.size(); ++f) {
       const Owner& owner = owners_[f];
@@ -112,7 +115,8 @@ class ActionDecoder {
         ++shared;
         const Num lower(owner.lower), upper(owner.upper);
         Num delta_theta = bounded(sign * action.values[slot], lower, upper, action.normalized);
-        if (action.azimuth_offsets != nullptr) delta_theta = clamp(delta_theta + action.azimuth_offsets[slot], lower, upper);
+        if (action.azimuth_offsets != nullptr)
+          delta_theta = clamp(delta_theta + action.azimuth_offsets[slot], lower, upper);
         plane.delta_theta += delta_theta;
         for (int j = 0; j < vectors; ++j) {
           const Num& input = action.values[kSlotCount + vectors * slot + j];

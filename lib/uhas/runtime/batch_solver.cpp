@@ -89,15 +89,18 @@ class BatchSolver<Real>::Crew {
       return batch_.count == 0 || (stride >= width && size >= width && (size - width) / stride >= batch_.count - 1);
     };
     // the last row of a mixed set may be of a hand with few joints; its length is not looked at
-    if (!holds(batch_.values.size(), batch_.stride, numbers_) || !holds(q_size, q_stride_, widest_)) return Status::wrong_size;
+    if (!holds(batch_.values.size(), batch_.stride, numbers_) || !holds(q_size, q_stride_, widest_))
+      return Status::wrong_size;
     if (!statuses_.empty() && statuses_.size() != batch_.count) return Status::wrong_size;
     offsets_per_row_ = batch_.azimuth_offsets.size() > kSlotCount;
     bounds_per_row_ = batch_.radial_bounds.size() > 2;
     if (offsets_per_row_ && batch_.azimuth_offsets.size() != batch_.count * kSlotCount) return Status::wrong_size;
     if (bounds_per_row_ && batch_.radial_bounds.size() != batch_.count * 2) return Status::wrong_size;
-    if (const Status status = ActionDecoder<Real>::check_offsets(offsets_per_row_ ? kNothing : batch_.azimuth_offsets); status != Status::ok)
+    if (const Status status = ActionDecoder<Real>::check_offsets(offsets_per_row_ ? kNothing : batch_.azimuth_offsets);
+        status != Status::ok)
       return status;
-    if (const Status status = ActionDecoder<Real>::check_bounds(bounds_per_row_ ? kNothing : batch_.radial_bounds); status != Status::ok)
+    if (const Status status = ActionDecoder<Real>::check_bounds(bounds_per_row_ ? kNothing : batch_.radial_bounds);
+        status != Status::ok)
       return status;
     if (!batch_.hands.empty() && batch_.hands.size() != batch_.count) return Status::wrong_size;
 
@@ -195,13 +198,17 @@ BatchSolver<Real>::BatchSolver(const HandProfile& profile, const SolveOptions& o
     : BatchSolver(std::span(&profile, 1), options, batch) {}
 
 template <class Real>
-BatchSolver<Real>::BatchSolver(std::span<const HandProfile> hands, const SolveOptions& options, const BatchOptions& batch) {
+BatchSolver<Real>::BatchSolver(std::span<const HandProfile> hands, const SolveOptions& options,
+                               const BatchOptions& batch) {
   constexpr int most_threads = 256;
-  if (hands.empty()) throw Error(ErrorCode::invalid_action, "", "a batch solver needs a hand", "give it one profile or more");
+  if (hands.empty())
+    throw Error(ErrorCode::invalid_action, "", "a batch solver needs a hand", "give it one profile or more");
   if (batch.threads < 1 || batch.threads > most_threads)
-    throw Error(ErrorCode::invalid_action, "", "threads is " + std::to_string(batch.threads), "choose a number from 1 to 256");
+    throw Error(ErrorCode::invalid_action, "", "threads is " + std::to_string(batch.threads),
+                "choose a number from 1 to 256");
   if (!is_available(batch.instruction_set))
-    throw Error(ErrorCode::invalid_action, "", std::string("this machine or build has no ") + to_string(batch.instruction_set),
+    throw Error(ErrorCode::invalid_action, "",
+                std::string("this machine or build has no ") + to_string(batch.instruction_set),
                 "leave the choice to the library");
   crew_ = std::make_unique<Crew>(hands, options, batch);
 }

@@ -1,15 +1,15 @@
-// The cascade for thousands of hands: N actions become N postures, one hand a SIMD lane, on as many threads as asked for.
+// The cascade for thousands of hands: N actions become N postures, a hand a SIMD lane, on as many threads as asked for.
 //
 //   uhas::BatchSolver<float> solver(uhas::read_profile("hand.h5"), {}, {.threads = 4});
 //   std::vector<float> q(count * solver.joint_count());
 //   uhas::Status status = solver.solve({.count = count, .values = actions}, q);
 //
-// Constructing may throw, allocates and starts the threads. With one thread, solving neither throws, allocates, locks nor
-// reads a clock; with several it wakes the others and waits for them, and nothing else.
+// Constructing may throw, allocates and starts the threads. With one thread, solving neither throws, allocates, locks
+// nor reads a clock; with several it wakes the others and waits for them, and nothing else.
 //
 // A row's result does not depend on the other rows, on their order or on the number of threads, bit for bit. Between
-// instruction sets, and against a single solve, rounding differs: 1e-10 rad in double and 1e-4 rad in float, except where an
-// action stands within rounding of a branch (a target passing behind a joint).
+// instruction sets, and against a single solve, rounding differs: 1e-10 rad in double and 1e-4 rad in float, except
+// where an action stands within rounding of a branch (a target passing behind a joint).
 #pragma once
 
 #include <cstddef>
@@ -30,12 +30,12 @@ struct ActionBatch {
   std::span<const Real> values;                 ///< [N][5 + 5 V]
   int driving_vectors = 2;                      ///< V, 1 to 4
   std::size_t stride = 0;                       ///< numbers from one row of `values` to the next; 0 = 5 + 5 V
-  std::span<const Real> driving_vectors_phi{};  ///< empty = pi j / (V + 1); [V] or [5 V] for all rows; see `phi_per_row`
-  bool phi_per_row = false;                     ///< `driving_vectors_phi` is [N][V] or [N][5 V]
-  bool normalized = false;                      ///< as in Action
-  std::span<const Real> azimuth_offsets{};      ///< empty; [5] for all rows; or [N][5]
-  std::span<const Real> radial_bounds{};        ///< empty = those of the convention; [2] for all rows; or [N][2]
-  std::span<const int> hands{};                 ///< [N] the hand each row is for; empty = the first
+  std::span<const Real> driving_vectors_phi{};  ///< empty = pi j / (V + 1); [V] or [5 V], see `phi_per_row`
+  bool phi_per_row = false;                 ///< `driving_vectors_phi` is [N][V] or [N][5 V], not the same for all rows
+  bool normalized = false;                  ///< as in Action
+  std::span<const Real> azimuth_offsets{};  ///< empty; [5] for all rows; or [N][5]
+  std::span<const Real> radial_bounds{};    ///< empty = those of the convention; [2] for all rows; or [N][2]
+  std::span<const int> hands{};             ///< [N] the hand each row is for; empty = the first
 };
 
 struct BatchOptions {
@@ -43,16 +43,17 @@ struct BatchOptions {
   InstructionSet instruction_set = widest_instruction_set();
 };
 
-/// Solves batches for one hand, or for a mixed set of hands. One batch at a time: give each caller an object of its own.
-/// Rows whose options have no lanes, those of the rule `contact` and of the field reading `field`, are solved one after the
-/// other by the code of CascadeSolver; threads still help.
+/// Solves batches for one hand, or for a mixed set of hands. One batch at a time: give each caller an object of its
+/// own. Rows whose options have no lanes, those of the rule `contact` and of the field reading `field`, are solved one
+/// after the other by the code of CascadeSolver; threads still help.
 template <class Real>
 class BatchSolver {
  public:
-  /// Throws Error: as CascadeSolver; invalid_action for no hand, for threads out of range and for an instruction set that
-  /// is not available; std::system_error when a thread cannot be started.
+  /// Throws Error: as CascadeSolver; invalid_action for no hand, for threads out of range and for an instruction set
+  /// that is not available; std::system_error when a thread cannot be started.
   explicit BatchSolver(const HandProfile& profile, const SolveOptions& options = {}, const BatchOptions& batch = {});
-  explicit BatchSolver(std::span<const HandProfile> hands, const SolveOptions& options = {}, const BatchOptions& batch = {});
+  explicit BatchSolver(std::span<const HandProfile> hands, const SolveOptions& options = {},
+                       const BatchOptions& batch = {});
   BatchSolver(BatchSolver&&) noexcept;
   BatchSolver& operator=(BatchSolver&&) noexcept;
   ~BatchSolver();
@@ -62,10 +63,12 @@ class BatchSolver {
   int widest_joint_count() const noexcept;       ///< the largest of these: numbers of an output row
   int lanes() const noexcept;                    ///< hands solved at once on a thread
 
-  /// @param q         [N][q_stride] joint angles (rad; m for prismatic joints) in the order of the row's own hand, within limits.
+  /// @param q         [N][q_stride] joint angles (rad; m for prismatic joints) in the order of the row's own hand,
+  /// within limits.
   ///                  Elements past that hand's joints are untouched.
   /// @param statuses  [N] or empty: what became of each row. A row that is refused (non_finite_input,
-  ///                  invalid_driving_vectors, invalid_radial_bounds, unknown_hand) leaves its part of `q` untouched and hinders no other row.
+  ///                  invalid_driving_vectors, invalid_radial_bounds, unknown_hand) leaves its part of `q` untouched
+  ///                  and hinders no other row.
   /// @param q_stride  numbers from one row of `q` to the next; 0 = widest_joint_count()
   /// Returns ok when every row is; else the status of the first row that was refused; or, with nothing written at all,
   /// wrong_size for a span too short, or the status of what all rows share.

@@ -30,14 +30,16 @@ Real gap_to_profile(const PlaneDeformation<Real>& plane, Vector3<Real> p) {
 
 // turn from open until the node meets the profile of its finger's plane
 template <class Num, class Wide>
-Num Cascade<Num, Wide>::contact_single(const Model& model, const SolverStep& step, const RigidTransform<Num>& F) noexcept {
+Num Cascade<Num, Wide>::contact_single(const Model& model, const SolverStep& step,
+                                       const RigidTransform<Num>& F) noexcept {
   const SolverJoint<Real>& joint = model.joints[step.joint];
   if (joint.prismatic || step.nodes.size() != 1) return contact_group(model, step);
   const ContactNode& node = step.nodes[0];
   const PlaneDeformation<Num>& plane = plane_of(model, node.finger);
   const Circle<Num> circle =
       Circle<Num>::about(F.rotation.column(2), F.translation, F * node_in_frame(model, node, step.joint));
-  const bool undeformed = std::all_of(plane.delta_r.begin(), plane.delta_r.begin() + plane.vectors, [](Real d) { return d == Real(0); });
+  const bool undeformed =
+      std::all_of(plane.delta_r.begin(), plane.delta_r.begin() + plane.vectors, [](Real d) { return d == Real(0); });
   if (undeformed) return first_contact_with_sphere(circle, joint.travel);
   return first_contact_by_scan<Num>([&](Num t) { return gap_to_profile(plane, circle.at(t)); }, joint.travel);
 }
@@ -51,8 +53,9 @@ Num Cascade<Num, Wide>::contact_group(const Model& model, const SolverStep& step
     move_frames(model, step.scope);
     Num sum = 0;
     for (const ContactNode& node : step.nodes) {
-      const Vector3<Num> p = node.joint >= 0 ? joints_[node.joint].T_S_moved.translation
-                                             : joints_[model.tip_joint[node.finger]].T_S_moved * model.p_tip[node.finger];
+      const Vector3<Num> p = node.joint >= 0
+                                 ? joints_[node.joint].T_S_moved.translation
+                                 : joints_[model.tip_joint[node.finger]].T_S_moved * model.p_tip[node.finger];
       sum += gap_to_profile(plane_of(model, node.finger), p);
     }
     return sum / Real(step.nodes.size());

@@ -26,8 +26,8 @@ class Cascade {
   /// From the deformations in `planes` to joint values and flags.
   void run(const Model& model) noexcept;
 
-  /// Weighted rms distance of the points from their targets, sphere radii; NaN when closing has dropped every point. Plain
-  /// numbers only; to be called once after a run.
+  /// Weighted rms distance of the points from their targets, sphere radii; NaN when closing has dropped every point.
+  /// Plain numbers only; to be called once after a run.
   double residual_rms(const Model& model) noexcept;
 
   const Num& q(int joint) const noexcept { return joints_[joint].q; }

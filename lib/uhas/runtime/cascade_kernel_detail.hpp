@@ -61,7 +61,8 @@ void Cascade<Num, Wide>::average_planes(const Model& model) noexcept {
 }
 
 template <class Num, class Wide>
-void Cascade<Num, Wide>::set_unknown(const Model& model, const SolverStep& step, const JointValue<Num>& value) noexcept {
+void Cascade<Num, Wide>::set_unknown(const Model& model, const SolverStep& step,
+                                     const JointValue<Num>& value) noexcept {
   joints_[step.joint].value = value;
   for (int i : step.driven) {
     const SolverJoint<Real>& joint = model.joints[i];
@@ -148,9 +149,9 @@ void Cascade<Num, Wide>::carry_moments(const Model& model, std::span<const Scope
     if (!scope[n].inner) continue;
     const SolverJoint<Real>& joint = model.joints[scope[n].joint];
     const JointState& state = joints_[scope[n].joint];
-    joints_[joint.parent].carried.add_transformed(
-        state.carried, joint.moved(joint.T_parent_joint.template cast<Num>(), state.value),
-        joint.master < 0 ? decay : Num(1));
+    joints_[joint.parent].carried.add_transformed(state.carried,
+                                                  joint.moved(joint.T_parent_joint.template cast<Num>(), state.value),
+                                                  joint.master < 0 ? decay : Num(1));
   }
 }
 
@@ -168,7 +169,8 @@ void Cascade<Num, Wide>::move_frames(const Model& model, std::span<const ScopedJ
         model.joints[s.joint].moved(frame_before_motion(model, s.joint), joints_[s.joint].value);
 }
 
-// one pass: unknowns that move several fingers first, then every joint from the palm outward, parents final, children as they are
+// one pass: unknowns that move several fingers first, then every joint from the palm outward, parents final, children
+// as they are
 template <class Num, class Wide>
 void Cascade<Num, Wide>::sweep(const Model& model, const SolverPart& part, Num decay) noexcept {
   carry_moments(model, part.tree, decay);
@@ -205,8 +207,9 @@ void Cascade<Num, Wide>::solve_step(const Model& model, const SolverStep& step, 
   if (!all(closed)) {
     if constexpr (LaneTraits<Num>::width == 1) {
       if (model.options.rule == Rule::contact)
-        fit = within_limits(model.joints[step.joint],
-                            model.joints[step.joint].value(step.single ? contact_single(model, step, F) : contact_group(model, step)));
+        fit = within_limits(
+            model.joints[step.joint],
+            model.joints[step.joint].value(step.single ? contact_single(model, step, F) : contact_group(model, step)));
       else
         fit = step.single ? fit_single(model, step.joint, F) : fit_group(model, step, decay);
     } else {
@@ -225,7 +228,7 @@ void Cascade<Num, Wide>::solve_step(const Model& model, const SolverStep& step, 
 template <class Num, class Wide>
 typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::within_limits(const SolverJoint<Real>& joint,
                                                                    const JointValue<Num>& value) const noexcept {
-  const Mask below = value.q < Num(joint.lower.q), above = value.q > Num(joint.upper.q), outside = below | above;
+  const Mask below = value.q<Num(joint.lower.q), above = value.q> Num(joint.upper.q), outside = below | above;
   if (!any(outside)) return {value, outside};
   const JointValue<Num> held = choose(above, joint.upper.template cast<Num>(), value);
   return {choose(below, joint.lower.template cast<Num>(), held), outside};
@@ -249,10 +252,10 @@ void Cascade<Num, Wide>::close_faded(const Model& model, const SolverPart& part)
   }
 }
 
-// The angle of least squares in closed form: atan2 of the summed sines and cosines (design 3.8). A share of the points' own
-// weight holds the joint at its present value: where the targets come close to the axis and the sums nearly cancel, the angle
-// would otherwise spin through a half turn (measured on Shadow: 0.6 rad for 0.03 in delta r). At rest it changes nothing, and
-// over several passes it fades, since it pulls to the pass before.
+// The angle of least squares in closed form: atan2 of the summed sines and cosines (design 3.8). A share of the points'
+// own weight holds the joint at its present value: where the targets come close to the axis and the sums nearly cancel,
+// the angle would otherwise spin through a half turn (measured on Shadow: 0.6 rad for 0.03 in delta r). At rest it
+// changes nothing, and over several passes it fades, since it pulls to the pass before.
 template <class Num, class Wide>
 typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::fit_single(const Model& model, int joint,
                                                                 const RigidTransform<Num>& F) const noexcept {
@@ -280,7 +283,8 @@ typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::fit_single(const Model& mod
 // Joints coupled by mimics have no closed form: Newton's method follows the descent from the present value to the first
 // minimum on the way, in steps of a quarter of the range at most and within the bracket it has found.
 template <class Num, class Wide>
-typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::fit_group(const Model& model, const SolverStep& step, Num decay) noexcept {
+typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::fit_group(const Model& model, const SolverStep& step,
+                                                               Num decay) noexcept {
   constexpr int most_steps = 12;
   constexpr Real settled_step = std::is_same_v<Real, float> ? Real(1e-4) : Real(1e-6);  // the error left is its square
   const SolverJoint<Real>& joint = model.joints[step.joint];
@@ -302,7 +306,8 @@ typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::fit_group(const Model& mode
     const Num newton = select(convex, -d.slope / select(convex, d.bend, Num(1)), away);
     const Num aim = value.q + clamp(newton, -longest, longest);
     const Mask astray = risen & fallen & ((aim < below) | (aim > above));
-    const Num next = select(settled, value.q, select(astray, (below + above) * Num(Real(0.5)), clamp(aim, lower, upper)));
+    const Num next =
+        select(settled, value.q, select(astray, (below + above) * Num(Real(0.5)), clamp(aim, lower, upper)));
     settled = settled | (abs(next - value.q) <= Num(settled_step));
     value = joint.value(next);
   }

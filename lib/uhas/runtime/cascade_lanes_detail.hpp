@@ -11,15 +11,15 @@ inline constexpr int kMostLanes = 8;
 /// Up to `width` actions for one hand that have passed ActionDecoder::check. A row is one action's numbers.
 template <class Real>
 struct ActionRows {
-  const Real* values[kMostLanes];  ///< [width][5 + 5 V]; rows past `count` repeat one of the others
-  const Real* phi[kMostLanes];     ///< [width][angles]
+  const Real* values[kMostLanes];           ///< [width][5 + 5 V]; rows past `count` repeat one of the others
+  const Real* phi[kMostLanes];              ///< [width][angles]
   const Real* azimuth_offsets[kMostLanes];  ///< [width][5], or all null
   const Real* radial_bounds[kMostLanes];    ///< [width][2], or all null
-  Real* q[kMostLanes];             ///< [count][joints] out
+  Real* q[kMostLanes];                      ///< [count][joints] out
   int count;
-  int vectors;                     ///< V
-  int angles;                      ///< 0, V or 5 V
-  bool common_phi;                 ///< all rows share `phi`
+  int vectors;      ///< V
+  int angles;       ///< 0, V or 5 V
+  bool common_phi;  ///< all rows share `phi`
   bool normalized;
 };
 

@@ -65,7 +65,9 @@ Status CascadeSolver<Real>::solve(const Action<Real>& action, std::span<Real> q)
 
 template <class Real>
 Status CascadeSolver<Real>::solve(const Action<Real>& action, std::span<Real> q, SolveReport& report) noexcept {
-  const auto fits = [&](std::span<std::uint8_t> flags) { return flags.empty() || flags.size() == model_->joints.size(); };
+  const auto fits = [&](std::span<std::uint8_t> flags) {
+    return flags.empty() || flags.size() == model_->joints.size();
+  };
   if (!fits(report.at_limit) || !fits(report.closed)) return Status::wrong_size;
   const Status status = solve(action, q);
   if (status != Status::ok) return status;

@@ -7,8 +7,9 @@
 //
 // A finger has three or four joints and V + 1 numbers, so most postures have no action that gives them exactly: the
 // report says how far the nearest one found stays away. A posture that a solve by the rule `correspondence` made without
-// holding a joint at a limit comes back. By the rule `contact` about one in a hundred does not: a joint's contact jumps
-// along the deformed profile, and the descent may stop before it. Read the report.
+// holding a joint at a limit comes back; of one, three or four driving vectors one posture in thousands does not. By the
+// rule `contact` about one in a hundred does not: a joint's contact jumps along the deformed profile, and the descent may
+// stop before it. Read the report.
 //
 // Constructing may throw and allocates; encoding does neither, takes no lock and reads no clock.
 #pragma once

@@ -20,10 +20,10 @@ constexpr int kMaxUnknowns = kSlotCount * (1 + kMaxDrivingVectors);  // five fin
 struct StartShift {
   double odd, even;
 };
-constexpr std::array<StartShift, 3> kStarts{{{0.0, 0.0}, {-0.4, -0.4}, {-0.5, 0.5}}};
+constexpr std::array<StartShift, 4> kStarts{{{0.0, 0.0}, {-0.4, -0.4}, {-0.5, 0.5}, {0.5, -0.5}}};
 
 // steps of a descent from one start: with the wider limits, then with the hand's own
-constexpr int kRelaxedSteps = 10, kSteps = 16;
+constexpr int kRelaxedSteps = 10, kSteps = 30;
 
 constexpr double kFirstDamping = 1e-3, kLeastDamping = 1e-9, kMostDamping = 1e3, kDampingFactor = 10;
 constexpr double kLongestStep = 0.4;  // of an unknown: a hand that has closed feels nothing and would not come back

@@ -1,4 +1,5 @@
-// Sine, cosine and arc tangent without branches, for Lanes and plain numbers alike. Polynomials: Cephes (S. L. Moshier).
+// Sine, cosine and arc tangent without branches, for Lanes and plain numbers alike. Polynomials: Cephes (S. L.
+// Moshier).
 //
 // Largest errors, held by the unit test against libm in extended precision:
 //   sincos  |x| <= 1000 rad                         float 1.3e-7,  double 2.3e-16
@@ -65,11 +66,13 @@ SinCos<Num> sincos(Num x) {
     c = Num(1) - Num(Real(0.5)) * z +
         z * z * polynomial(z, 2.443315711809948e-5, -1.388731625493765e-3, 4.166664568298827e-2);
   } else {
-    s = r + r * z * polynomial(z, 1.58962301576546568060e-10, -2.50507477628578072866e-8, 2.75573136213857245213e-6,
-                               -1.98412698295895385996e-4, 8.33333333332211858878e-3, -1.66666666666666307295e-1);
+    s = r + r * z *
+                polynomial(z, 1.58962301576546568060e-10, -2.50507477628578072866e-8, 2.75573136213857245213e-6,
+                           -1.98412698295895385996e-4, 8.33333333332211858878e-3, -1.66666666666666307295e-1);
     c = Num(1) - Num(Real(0.5)) * z +
-        z * z * polynomial(z, -1.13585365213876817300e-11, 2.08757008419747316778e-9, -2.75573141792967388112e-7,
-                           2.48015872888517045348e-5, -1.38888888888730564116e-3, 4.16666666666665929218e-2);
+        z * z *
+            polynomial(z, -1.13585365213876817300e-11, 2.08757008419747316778e-9, -2.75573141792967388112e-7,
+                       2.48015872888517045348e-5, -1.38888888888730564116e-3, 4.16666666666665929218e-2);
   }
 
   const Num sine = select(quarters.swaps, c, s), cosine = select(quarters.swaps, s, c);

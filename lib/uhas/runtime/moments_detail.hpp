@@ -1,7 +1,7 @@
 // Weighted moments of point pairs: all that the least-squares fit of a joint needs to know of its surface points.
 //
-// A joint's fit needs sums over points p (in a link frame) and targets t (in S). Such sums can be moved between frames and
-// added without going back to the points, so a solve visits each point at most once, however many joints carry it.
+// A joint's fit needs sums over points p (in a link frame) and targets t (in S). Such sums can be moved between frames
+// and added without going back to the points, so a solve visits each point at most once, however many joints carry it.
 #pragma once
 
 #include <array>
@@ -55,8 +55,8 @@ struct PointMoments : TargetMoments<Num> {
     this->add_pair(point, (w * share) * target);
   }
 
-  /// Adds `factor` times `other`, whose points are in a frame that `T` maps to this one's: (p, weight) and each (pt[j], t_j)
-  /// are sums of points and of their weights, so that T maps the one with the other's help.
+  /// Adds `factor` times `other`, whose points are in a frame that `T` maps to this one's: (p, weight) and each (pt[j],
+  /// t_j) are sums of points and of their weights, so that T maps the one with the other's help.
   void add_transformed(const PointMoments& other, const RigidTransform<Num>& T, Num factor) {
     const auto moved = [&](Vector3<Num> points, Num weights) {
       return factor * (T.rotation * points + weights * T.translation);
@@ -98,8 +98,8 @@ struct JointFit {
   Num shift{};   ///< sum w s z . (t - p)
 };
 
-/// Targets go to F by t_F = R^T (t - o), so that sum p t_F^T = (sum p t^T - sum p o^T) R; only the rows and columns across the
-/// axis count.
+/// Targets go to F by t_F = R^T (t - o), so that sum p t_F^T = (sum p t^T - sum p o^T) R; only the rows and columns
+/// across the axis count.
 /// @param moments  points in F at joint value 0, targets in S
 /// @param T_S_F    F in S
 template <class Num>
@@ -114,9 +114,9 @@ JointFit<Num> fit_joint(const PointMoments<Num>& moments, const RigidTransform<N
           .shift = dot(z, moments.t - moments.weight * o) - p.z};
 }
 
-/// How two turning joints of one chain bend the cost together: the second derivative of sum w s p . t, with the outer one's
-/// points. With p from the outer joint's origin and t from the inner one's it is
-/// z_in . ((z_out x p) x t) = (z_in . p) (z_out . t) - (z_in . z_out) (p . t).
+/// How two turning joints of one chain bend the cost together: the second derivative of sum w s p . t, with the outer
+/// one's points. With p from the outer joint's origin and t from the inner one's it is z_in . ((z_out x p) x t) = (z_in
+/// . p) (z_out . t) - (z_in . z_out) (p . t).
 /// @param moments       points that the outer joint carries, in its moved frame
 /// @param T_in, T_out   the joints' moved frames in S; their z are the axes
 template <class Num>

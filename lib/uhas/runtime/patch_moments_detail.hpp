@@ -1,7 +1,8 @@
 // The moments of a patch under the deformation of its finger's plane, before the azimuth turns (design 3.7 and 3.8).
 //
-// Whether a patch stays whole, has vanished or fades in between is decided by its range of polar angles. A whole patch needs
-// no look at its points, one that has vanished has no moments; only a fading patch is visited, several points at a time.
+// Whether a patch stays whole, has vanished or fades in between is decided by its range of polar angles. A whole patch
+// needs no look at its points, one that has vanished has no moments; only a fading patch is visited, several points at
+// a time.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +15,8 @@ namespace uhas {
 /// Where fading begins and ends (displacements, radii); `hard` drops at the end and fades nowhere.
 inline constexpr double kFadeBegins = -0.5, kFadeEnds = -1.0;
 
-/// What closing leaves of a point: 1 or 0 for `hard`, else smoothstep between the bounds above. At the anchored pole the
-/// displacement of the first driving vector counts for `fade`: it must not keep a root open.
+/// What closing leaves of a point: 1 or 0 for `hard`, else smoothstep between the bounds above. At the anchored pole
+/// the displacement of the first driving vector counts for `fade`: it must not keep a root open.
 template <class Num>
 Num open_share(const typename RadialProfile<Num>::At& radial, Closing closing) {
   if (closing == Closing::hard) return select(Num(1) + radial.delta_r < Num(0), Num(0), Num(1));
@@ -84,7 +85,8 @@ PatchState<Num> classify_patch(const SolverPatch<LaneReal<Num>>& patch, const Pl
   constexpr Real steep = 50;
   MaskOf<Num> summable = plane.steepest <= Num(steep);
   if (!plane.common_angles)  // sums are looked up at one angle for all lanes
-    for (int j = 0; j < plane.vectors; ++j) summable = summable & ((plane.phi[j] <= least_phi) | (plane.phi[j] >= greatest_phi));
+    for (int j = 0; j < plane.vectors; ++j)
+      summable = summable & ((plane.phi[j] <= least_phi) | (plane.phi[j] >= greatest_phi));
   if (all(plane.lowest >= Num(std::max(Real(kFadeBegins), -patch.least_rho)))) return {summable, MaskOf<Num>(false)};
 
   const auto first = plane.at(least_phi), last = plane.at(greatest_phi);
@@ -108,7 +110,8 @@ PatchState<Num> classify_patch(const SolverPatch<LaneReal<Num>>& patch, const Pl
 /// Moments of all points, whole, into `moments`: targets are those at rest, and on each stretch between driving vectors
 /// (offset + slope phi) direction more.
 template <class Num>
-void sum_whole(const SolverPatch<LaneReal<Num>>& patch, const PlaneDeformation<Num>& plane, PointMoments<Num>& moments) {
+void sum_whole(const SolverPatch<LaneReal<Num>>& patch, const PlaneDeformation<Num>& plane,
+               PointMoments<Num>& moments) {
   using Real = LaneReal<Num>;
   Num slope = plane.slope[0], offset = plane.delta_r[0] - plane.slope[0] * plane.phi[0];
   for (int j = 0; j < plane.vectors; ++j) {

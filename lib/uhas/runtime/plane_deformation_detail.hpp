@@ -8,15 +8,14 @@
 
 namespace uhas {
 
-/// A displacement over polar angles: linear between driving vectors and constant beyond the last one; before the first one linear
-/// from 0 at the palm pole, or constant too.
-/// Nothing is set by default: a solve makes many of these.
+/// A displacement over polar angles: linear between driving vectors and constant beyond the last one; before the first
+/// one linear from 0 at the palm pole, or constant too. Nothing is set by default: a solve makes many of these.
 template <class Num>
 struct RadialProfile {
   int vectors;                                  ///< V
   std::array<Num, kMaxDrivingVectors> phi;      ///< [V] polar angles of the driving vectors, increasing
   std::array<Num, kMaxDrivingVectors> delta_r;  ///< [V] displacements there, radii
-  std::array<Num, kMaxDrivingVectors> slope;    ///< [V] radii a rad, on the way from vector j - 1 (first: the pole) to j
+  std::array<Num, kMaxDrivingVectors> slope;  ///< [V] radii a rad, on the way from vector j - 1 (first: the pole) to j
 
   /// The displacement at a polar angle, and at the greater of that angle and the first driving vector's.
   struct At {

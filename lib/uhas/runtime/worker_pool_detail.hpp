@@ -18,8 +18,8 @@ class WorkerPool {
 
   int size() const noexcept { return static_cast<int>(threads_.size()) + 1; }
 
-  /// Calls `task(context, worker)` once for each worker 0 .. size() - 1, worker 0 on the calling thread, and returns when all
-  /// are done. `task` must not throw. Allocates nothing; a pool of one takes no lock.
+  /// Calls `task(context, worker)` once for each worker 0 .. size() - 1, worker 0 on the calling thread, and returns
+  /// when all are done. `task` must not throw. Allocates nothing; a pool of one takes no lock.
   using Task = void (*)(void* context, int worker);
   void run(Task task, void* context) noexcept;
 

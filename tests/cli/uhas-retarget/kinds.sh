@@ -1,9 +1,12 @@
 # JSON, JSON Lines and HDF5 hold the same trajectory, whichever is read and whichever is written
+for turn in -0.09 -0.06 -0.03 0 0.03 0.06 0.09; do
+  echo "[$turn,$turn,$turn,$turn,0, 0.1,$turn,0,0.1,-0.1,$turn,0,0,0,0]"
+done | uhas-solve - --profile profile/allegro_right.h5 > solved.jsonl
 /usr/bin/python3 - <<'END'
-import h5py, json, random
-random.seed(1)
-names = [f"{finger}_joint_{i}" for finger in ("ring", "middle", "index", "thumb") for i in range(4)]
-q = [[random.uniform(0.3, 0.6) for _ in names] for _ in range(1500)]
+import h5py, json
+solved = [json.loads(line)["q"] for line in open("solved.jsonl")]
+names = [f"{finger}_joint_{i}" for finger in ("index", "middle", "ring", "thumb") for i in range(4)]
+q = [solved[n % 7] for n in range(1200)]  # more than the HDF5 code holds at a time
 header = {"format": "uhas-trajectory", "version": 1, "joint_names": names}
 json.dump(dict(header, q=q), open("a.json", "w"))
 open("a.jsonl", "w").write("\n".join(map(json.dumps, [header, *q])))

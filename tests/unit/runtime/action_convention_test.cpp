@@ -43,11 +43,15 @@ TEST_CASE("a radius is a displacement from 1, and azimuth may count the other wa
     const std::vector<double> own = test::random_action(random, 0.3, 0.9);
     std::vector<double> radii = own, turned = own;
     for (std::size_t i = 0; i < own.size(); ++i) {
-      if (i < kSlotCount) turned[i] = -own[i];
-      else radii[i] = 1 + own[i];
+      if (i < kSlotCount)
+        turned[i] = -own[i];
+      else
+        radii[i] = 1 + own[i];
     }
-    check_equal(solve(profile, {.values = radii}, {.convention = {.absolute_radii = true}}), solve(profile, {.values = own}));
-    check_equal(solve(profile, {.values = turned}, {.convention = {.azimuth_sign = -1}}), solve(profile, {.values = own}));
+    check_equal(solve(profile, {.values = radii}, {.convention = {.absolute_radii = true}}),
+                solve(profile, {.values = own}));
+    check_equal(solve(profile, {.values = turned}, {.convention = {.azimuth_sign = -1}}),
+                solve(profile, {.values = own}));
   }
 }
 
@@ -90,7 +94,8 @@ TEST_CASE("an azimuth offset turns a finger as its own number would, within the 
   for (int slot = 0; slot < 4; ++slot) expected[slot] = 0.15;
   check_equal(solve(profile, {.values = action, .azimuth_offsets = offsets}), solve(profile, {.values = expected}));
 
-  for (int slot = 0; slot < 4; ++slot) action[slot] = 1, expected[slot] = table.delta_theta_upper;  // normalised: the upper end
+  for (int slot = 0; slot < 4; ++slot)
+    action[slot] = 1, expected[slot] = table.delta_theta_upper;  // normalised: the upper end
   const std::vector<double> inward(5, -0.05), outward(5, 0.5);
   Action<double> normalized{.values = action, .normalized = true, .azimuth_offsets = outward};
   CHECK(solve(profile, normalized)[0] == doctest::Approx(table.inverse_q.back()));
@@ -102,7 +107,8 @@ TEST_CASE("an azimuth offset turns a finger as its own number would, within the 
 TEST_CASE("a call may have radial bounds of its own") {
   const HandProfile profile = test::small_profile();
   const std::vector<double> narrow{-0.3, 0.2}, far = uniform_action(-1.7);
-  check_equal(solve(profile, {.values = far, .radial_bounds = narrow}), solve(profile, {.values = uniform_action(-0.3)}));
+  check_equal(solve(profile, {.values = far, .radial_bounds = narrow}),
+              solve(profile, {.values = uniform_action(-0.3)}));
   const std::vector<double> full = uniform_action(0.5), low = uniform_action(-0.5);
   check_equal(solve(profile, {.values = full, .normalized = true, .radial_bounds = narrow}),
               solve(profile, {.values = uniform_action(0.1)}));
@@ -114,7 +120,8 @@ TEST_CASE("offsets and bounds that cannot be are refused") {
   const HandProfile profile = test::small_profile();
   CascadeSolver<double> solver(profile);
   std::vector<double> q(5, 77.0);
-  const std::vector<double> action(15, 0.1), four(4, 0.0), not_finite{0, 0, NAN, 0, 0}, above{0.1, 0.2}, below{-0.2, -0.1}, one{0.0};
+  const std::vector<double> action(15, 0.1), four(4, 0.0), not_finite{0, 0, NAN, 0, 0}, above{0.1, 0.2},
+      below{-0.2, -0.1}, one{0.0};
   const std::vector<double> infinite{-1, std::numeric_limits<double>::infinity()};
   CHECK(solver.solve({.values = action, .azimuth_offsets = four}, q) == Status::wrong_size);
   CHECK(solver.solve({.values = action, .azimuth_offsets = not_finite}, q) == Status::non_finite_input);

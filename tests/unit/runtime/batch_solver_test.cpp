@@ -1,4 +1,6 @@
 // Batches against single solves: every instruction set, any number of threads, mixed hands, rows that are refused.
+#include "uhas/runtime/batch_solver.hpp"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -11,7 +13,6 @@
 #include "support/mirrored_profile.hpp"
 #include "support/random_action.hpp"
 #include "support/small_profile.hpp"
-#include "uhas/runtime/batch_solver.hpp"
 
 using namespace uhas;
 
@@ -152,7 +153,8 @@ TEST_CASE("a row's result depends on no other row and on no number of threads") 
 }
 
 TEST_CASE("a mixed set of hands: each row is solved for its own") {
-  const std::vector<HandProfile> hands{test::small_profile(), test::arch_profile(), test::mirror_image(test::small_profile())};
+  const std::vector<HandProfile> hands{test::small_profile(), test::arch_profile(),
+                                       test::mirror_image(test::small_profile())};
   const RandomRows<double> rows(500, 2, 2.0, 8);
   std::vector<int> hand_of_row;
   for (std::size_t i = 0; i < rows.count; ++i) hand_of_row.push_back(int((i * i + i / 7) % 3));
@@ -295,7 +297,8 @@ TEST_CASE("what cannot be a batch is refused whole, and nothing is written") {
   CHECK(changed([](auto& batch) { batch.count = std::numeric_limits<std::size_t>::max(); }) == Status::wrong_size);
   CHECK(changed([&](auto& batch) { batch.hands = nine_hands; }) == Status::wrong_size);
   CHECK(changed([&](auto& batch) { batch.driving_vectors_phi = falling; }) == Status::invalid_driving_vectors);
-  CHECK(changed([&](auto& batch) { batch.driving_vectors_phi = falling, batch.phi_per_row = true; }) == Status::wrong_size);
+  CHECK(changed([&](auto& batch) { batch.driving_vectors_phi = falling, batch.phi_per_row = true; }) ==
+        Status::wrong_size);
   CHECK(solver.solve(rows.batch(false), all.first(49)) == Status::wrong_size);
   CHECK(solver.solve(rows.batch(false), all, {}, 4) == Status::wrong_size);
   CHECK(solver.solve(rows.batch(false), all, nine) == Status::wrong_size);

@@ -1,8 +1,8 @@
 // The one source of both compilations of LaneFunctions.
 #pragma once
 
-#include "unit/runtime/lane_functions.hpp"
 #include "uhas/runtime/lane_math_detail.hpp"
+#include "unit/runtime/lane_functions.hpp"
 
 namespace uhas::test {
 

@@ -41,14 +41,14 @@ template <class Real>
 double sincos_error(const LaneFunctions<Real>& functions, double bound) {
   std::mt19937_64 random(1);
   std::vector<Real> x = random_numbers<Real>(random, bound, 400'000);
-  for (int k = -160; k < 160; ++k)
-    x[k + 160] = static_cast<Real>(std::clamp(k * std::numbers::pi / 4, -bound, bound));
+  for (int k = -160; k < 160; ++k) x[k + 160] = static_cast<Real>(std::clamp(k * std::numbers::pi / 4, -bound, bound));
   std::vector<Real> sine(x.size()), cosine(x.size());
   functions.sincos(x.data(), int(x.size()), sine.data(), cosine.data());
   double error = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
     const long double exact = x[i];
-    error = std::max({error, double(std::abs(sine[i] - std::sin(exact))), double(std::abs(cosine[i] - std::cos(exact)))});
+    error =
+        std::max({error, double(std::abs(sine[i] - std::sin(exact))), double(std::abs(cosine[i] - std::cos(exact)))});
   }
   return error;
 }
@@ -79,9 +79,9 @@ TEST_CASE_TEMPLATE("every operation of lanes is that of plain numbers, lane by l
     std::mt19937_64 random(3);
     constexpr std::size_t kCount = 4096;
     std::vector<Real> a = random_numbers<Real>(random, 2, kCount), b = random_numbers<Real>(random, 2, kCount);
-    for (std::size_t i = 0; i < 64; ++i) b[i] = a[i];                            // equal
-    for (std::size_t i = 64; i < 96; ++i) a[i] = std::abs(a[i]) + 3;             // all above
-    for (std::size_t i = 96; i < 128; ++i) a[i] = -std::abs(a[i]) - 3;           // all below
+    for (std::size_t i = 0; i < 64; ++i) b[i] = a[i];                   // equal
+    for (std::size_t i = 64; i < 96; ++i) a[i] = std::abs(a[i]) + 3;    // all above
+    for (std::size_t i = 96; i < 128; ++i) a[i] = -std::abs(a[i]) - 3;  // all below
     std::array<std::vector<Real>, test::kLaneOperations> results;
     std::array<Real*, test::kLaneOperations> out;
     for (int k = 0; k < test::kLaneOperations; ++k) results[k].resize(kCount), out[k] = results[k].data();

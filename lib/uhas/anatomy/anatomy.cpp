@@ -189,6 +189,14 @@ class AnatomyInference {
     return postures;
   }
 
+  /// Where the designer put straight fingers at zero, other joints are neutral there too.
+  void start_at_zero() {
+    const std::vector<Joint>& joints = anatomy_.tree.joints;
+    for (std::size_t i = 0; i < q_.size(); ++i)
+      if (!held_[i] && joints[i].lower <= 0 && joints[i].upper >= 0) q_[i] = 0;
+    extend_fingers();
+  }
+
   /// The palm normal follows from the open fingers, and the open pose from the normal: a few rounds agree.
   void find_open_hand() {
     constexpr int rounds = 3;
@@ -196,6 +204,11 @@ class AnatomyInference {
     choose_thumb();
 
     PalmNormal found = find_palm_normal(postures_, anatomy_.thumb);
+    if (found.opposing && zero_is_straight_) {
+      start_at_zero();
+      postures_ = measure_postures();
+      found = find_palm_normal(postures_, anatomy_.thumb);
+    }
     if (config_.palm_normal_in_root) found.normal = set_normal(*config_.palm_normal_in_root);
     for (int round = 0; round < rounds && !config_.palm_normal_in_root; ++round) {
       q_ = find_open_pose(anatomy_, flexions_, found, zero_is_straight_, Bases::held, q_, held_);

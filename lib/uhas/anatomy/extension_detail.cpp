@@ -9,8 +9,8 @@
 namespace uhas {
 namespace {
 
-/// Where "straight" lies from the open end on when nothing else tells (rad): this far, or so far that the joint closes by
-/// no more than a finger's base does.
+/// Where "straight" lies from the open end on when nothing else tells (rad): this far, or so far that the joint closes
+/// by no more than a finger's base does.
 constexpr double kTypicalHyperextension = 0.15, kTypicalClosing = 1.65;
 /// From this part of the finger's length on, what lies between its root and its first flexion joint is a phalanx too,
 /// and the finger is straight when it continues that.

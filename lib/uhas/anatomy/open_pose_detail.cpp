@@ -54,23 +54,24 @@ std::vector<FingerGroup> group_fingers(const Anatomy& anatomy) {
 class OpenPoseSearch {
  public:
   OpenPoseSearch(const Anatomy& anatomy, std::span<const Flexion> flexions, const PalmNormal& normal,
-                 bool zero_is_neutral, const std::vector<bool>& held, std::span<const double> q)
-      : anatomy_(anatomy), flexions_(flexions), normal_(normal.normal), zero_is_neutral_(zero_is_neutral), held_(held) {
+                 bool zero_is_neutral, const std::vector<bool>& held)
+      : anatomy_(anatomy),
+        flexions_(flexions),
+        normal_(normal.normal),
+        opposing_(normal.opposing),
+        zero_is_neutral_(zero_is_neutral),
+        held_(held) {
     for (const FingerAnatomy& finger : anatomy.fingers) length_.push_back(finger_length(anatomy, finger));
-    if (!normal.opposing) return;
-    for (std::size_t i = 0; i < flexions.size(); ++i) {
-      const FingerPosture posture = measure_posture(anatomy, anatomy.fingers[i], flexions[i], q, scratch_);
-      outward_.push_back(normalized(orthogonal_part(posture.direction, normal_)));
-    }
   }
 
-  /// The groups of fingers that are opened together, with the variables to find.
+  /// The groups of fingers that are opened together, with the variables to find. A gripper's fingers open by flexion
+  /// alone: one that cannot lie flat would lean to its side for that.
   std::vector<FingerGroup> groups(Bases bases) const {
     std::vector<FingerGroup> groups = group_fingers(anatomy_);
     for (FingerGroup& group : groups)
       std::erase_if(group.variables, [&](int variable) {
-        return held_[variable] || stays_extended(group, variable) ||
-               (bases == Bases::held && is_base_flexion(group, variable));
+        const bool is_base = is_base_flexion(group, variable);
+        return held_[variable] || stays_extended(group, variable) || (is_base ? bases == Bases::held : opposing_);
       });
     return groups;
   }
@@ -88,14 +89,13 @@ class OpenPoseSearch {
 
  private:
   /// How open the fingers of the group are: 2 for each that is straight in the palm plane with its pad along the
-  /// normal. A gripper's finger that cannot lie flat would lean to its side for that; it is asked to reach outward.
+  /// normal.
   double openness(const FingerGroup& group, std::span<const double> q) {
     double sum = 0;
     for (int finger : group.fingers) {
       const FingerPosture posture = measure_posture(anatomy_, anatomy_.fingers[finger], flexions_[finger], q, scratch_);
-      const Vector3d reach = posture.tip - posture.root;
-      const double spread = outward_.empty() ? norm(orthogonal_part(reach, normal_)) : dot(reach, outward_[finger]);
-      sum += spread / length_[finger] + dot(posture.closing, normal_);
+      sum +=
+          norm(orthogonal_part(posture.tip - posture.root, normal_)) / length_[finger] + dot(posture.closing, normal_);
     }
     return sum;
   }
@@ -175,10 +175,10 @@ class OpenPoseSearch {
   const Anatomy& anatomy_;
   std::span<const Flexion> flexions_;
   Vector3d normal_;
+  bool opposing_;
   bool zero_is_neutral_;
   const std::vector<bool>& held_;
   std::vector<double> length_;
-  std::vector<Vector3d> outward_;  ///< one a finger of a gripper: where it reaches in the palm plane
   FingerPose scratch_;
 };
 
@@ -187,7 +187,7 @@ class OpenPoseSearch {
 std::vector<double> find_open_pose(const Anatomy& anatomy, std::span<const Flexion> flexions, const PalmNormal& normal,
                                    bool zero_is_neutral, Bases bases, std::vector<double> q,
                                    const std::vector<bool>& held) {
-  OpenPoseSearch search(anatomy, flexions, normal, zero_is_neutral, held, q);
+  OpenPoseSearch search(anatomy, flexions, normal, zero_is_neutral, held);
   for (const FingerGroup& group : search.groups(bases)) search.open(group, q);
   return q;
 }

@@ -12,9 +12,9 @@ namespace uhas {
 /// not: they would follow any normal.
 enum class Bases { held, searched };
 
-/// Joint values that open the hand for the palm normal: fingers straight in the palm plane, those of a gripper as far
-/// outward as they reach, pads along the normal. A joint is put at zero, or else at mid range, where that costs next to
-/// nothing.
+/// Joint values that open the hand for the palm normal: fingers straight in the palm plane, pads along the normal. A
+/// joint is put at zero, or else at mid range, where that costs next to nothing; side and roll joints of opposing
+/// fingers keep their values.
 /// @param flexions         one a finger
 /// @param zero_is_neutral  the hand's designer put "open" at zero; else zero is a value like others
 /// @param q                where the search begins, fingers extended

@@ -34,17 +34,6 @@ struct FingertipLanes {
   using Real = LaneReal<Num>;
   static constexpr std::size_t width = LaneTraits<Num>::width;
 
-  static bool takes(const Real* numbers, std::size_t count) {
-    const Num bound(Real(1000));
-    MaskOf<Num> fine(true);
-    std::size_t i = 0;
-    for (; i + width <= count; i += width) fine = fine & (abs(load<Num>(numbers + i)) <= bound);
-    if (!all(fine)) return false;
-    for (; i < count; ++i)
-      if (!(abs(numbers[i]) <= Real(1000))) return false;
-    return true;
-  }
-
   static void place(const FingertipChain<Real>* chains, std::size_t fingers, const Real* q, std::size_t joints,
                     std::size_t hands, Real* fingertips) {
     const auto turn = [](Num angle, Num& cosine, Num& sine) {
@@ -64,7 +53,7 @@ struct FingertipLanes {
     }
   }
 
-  static FingertipKernel<Real> kernel() { return {&takes, &place}; }
+  static FingertipKernel<Real> kernel() { return {&LaneNumbers<Num>::takes, &place}; }
 };
 
 }  // namespace uhas

@@ -8,6 +8,24 @@
 
 namespace uhas {
 
+/// The numbers that wide kernels take: nothing infinite, no NaN, no angle beyond what `sincos` is exact for.
+template <class Num>
+struct LaneNumbers {
+  using Real = LaneReal<Num>;
+  static constexpr std::size_t width = LaneTraits<Num>::width;
+
+  static bool takes(const Real* numbers, std::size_t count) {
+    const Num bound(Real(1000));
+    MaskOf<Num> fine(true);
+    std::size_t i = 0;
+    for (; i + width <= count; i += width) fine = fine & (abs(load<Num>(numbers + i)) <= bound);
+    if (!all(fine)) return false;
+    for (; i < count; ++i)
+      if (!(abs(numbers[i]) <= Real(1000))) return false;
+    return true;
+  }
+};
+
 /// Turns rows into columns: lane j of rows[i] becomes lane i of rows[j]. Loops are unrolled so that the rows stay in
 /// registers.
 template <class Real, int N, class Tag>

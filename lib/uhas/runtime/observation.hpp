@@ -23,6 +23,7 @@
 #include "uhas/base/errors.hpp"
 #include "uhas/base/rigid_transform.hpp"
 #include "uhas/runtime/finger_points.hpp"
+#include "uhas/runtime/instruction_set.hpp"
 
 namespace uhas {
 
@@ -35,12 +36,21 @@ struct ObservationOptions {
   bool pad_directions = false;  ///< append each slot's pad direction
 };
 
+/// A joint's moved frame in S and how it moves, in sphere radii: scratch of an Observer.
+template <class Num>
+struct ObservedBody {
+  RigidTransform<Num> T;
+  Vector3<Num> linear, angular;  ///< velocity of the frame's origin, and of the frame
+};
+
 /// Observes one hand. Copies share the constant model and have scratch memory of their own: give each thread its copy.
 template <class Real>
 class Observer {
  public:
   /// Throws Error(invalid_profile) for a profile that `validate_profile` refuses.
-  explicit Observer(const HandProfile& profile, const ObservationOptions& options = {});
+  /// @param set  what batches use; when it is not available, the widest that is
+  explicit Observer(const HandProfile& profile, const ObservationOptions& options = {},
+                    InstructionSet set = widest_instruction_set());
 
   int joint_count() const noexcept;  ///< length of q and of qd: every joint of the profile, mimic followers included
   int size() const noexcept;         ///< numbers of one observation
@@ -53,24 +63,17 @@ class Observer {
   Status observe(std::span<const Real> q, std::span<const Real> qd, std::span<Real> observation) noexcept;
 
   /// The same for N hands of this kind, one after the other, on the calling thread: q and qd [N][joint_count()] to
-  /// observations [N][size()]. One bad number refuses the whole batch.
+  /// observations [N][size()]. One bad number refuses the whole batch. The
+  /// same as single calls to within rounding, on every instruction set.
   Status observe_batch(std::span<const Real> q, std::span<const Real> qd, std::span<Real> observations) noexcept;
 
  private:
   struct Model;
 
-  /// A joint's moved frame in S and how it moves, in sphere radii.
-  struct Body {
-    RigidTransform<Real> T;
-    Vector3<Real> linear, angular;  // velocity of the frame's origin, and of the frame
-  };
-
-  bool finite(const Real* q, const Real* qd) const noexcept;
-  void move_bodies(const Real* q, const Real* qd) noexcept;
-  void write(Real* out) const noexcept;
+  Status observe_each(const Real* q, const Real* qd, std::size_t count, Real* observations) noexcept;
 
   std::shared_ptr<const Model> model_;
-  std::vector<Body> bodies_;  // [joint]
+  std::vector<ObservedBody<Real>> bodies_;  // [joint] scratch
 };
 
 extern template class Observer<float>;

@@ -230,6 +230,7 @@ TEST_CASE("what only the range of a joint tells of the normal is doubtful; a sta
   ToyHandOptions options;  // no side joints, no palm surface, and zeros that say nothing
   options.finger.side_range = 0;
   options.finger.hyperextension = 0.6;
+  options.finger.flexion = 1.1;
   HandModel model = make_toy_hand(options);
   for (ModelLink& link : model.links)
     if (link.name == "palm") link.mesh = {};
@@ -254,7 +255,8 @@ TEST_CASE("a palm that tilts from the way to the knuckles is a poor witness") {
     const int palm = toy.add_fixed("palm", 0, {});
     toy.add_box(palm, {0, 0, 0.04}, {0.02, 0.08, 0.08}, Rotationd::about({0, 1, 0}, tilt));
     for (int i = 0; i < 4; ++i)
-      toy.add_finger(palm, {.name = "finger" + std::to_string(i), .root = {0, 0.022 * i - 0.033, 0.085}, .side_range = 0});
+      toy.add_finger(palm,
+                     {.name = "finger" + std::to_string(i), .root = {0, 0.022 * i - 0.033, 0.085}, .side_range = 0});
     const HandModel model = toy.take();
     const Anatomy anatomy = infer_anatomy(with_moved_zeros(model, std::vector<double>(model.tree.joints.size(), 0.7)));
     CAPTURE(tilt);

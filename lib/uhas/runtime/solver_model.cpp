@@ -288,13 +288,13 @@ SolverModel<Real>::SolverModel(const HandProfile& profile, const SolveOptions& s
   std::vector<std::vector<int>> finger_joints;
   for (const ProfileFinger& finger : profile.fingers) finger_joints.push_back(finger.joints);
   std::vector<JointClass> classes;
-  std::vector<double> q_sphere;
+  std::vector<double> q_open;  // the pose that the wrap plans at: its nodes and the solver's are the same
   for (const JointTraits& traits : profile.joint_traits) {
     classes.push_back(traits.joint_class);
-    q_sphere.push_back(traits.q_sphere);
+    q_open.push_back(traits.q_open);
   }
   step_at.assign(joint_count, -1);
-  for (const CascadeStep& step : plan_cascade(profile.tree, finger_joints, classes, q_sphere)) {
+  for (const CascadeStep& step : plan_cascade(profile.tree, finger_joints, classes, q_open)) {
     if (step.driven.size() == 1 || step.fingers.size() == 1) step_at[step.driven.front()] = static_cast<int>(steps.size());
     const bool single = step.driven.size() == 1 && step.driven.front() == step.joint;
     steps.push_back({step, single, nested_joints(step, profile.tree), scope_of(step, profile.tree)});

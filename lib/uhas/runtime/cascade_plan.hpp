@@ -26,7 +26,7 @@ struct CascadeStep {
 /// The encompassing unknowns in solving order: those that move several fingers first, then finger by finger, root to tip.
 /// @param finger_joints  joint indices root to tip, one list a finger
 /// @param classes        one a joint of `tree`
-/// @param q              any pose in which joints that meet in a point do so (one value a joint)
+/// @param q              the pose in which it is judged what a step displaces (one value a joint): q_open, for wrap and solver alike
 std::vector<CascadeStep> plan_cascade(const KinematicTree& tree, std::span<const std::vector<int>> finger_joints,
                                       std::span<const JointClass> classes, std::span<const double> q);
 

@@ -37,7 +37,10 @@ class ActionDecoder {
   explicit ActionDecoder(const HandProfile& profile, const ActionConvention& convention = {})
       : convention_(convention) {
     for (const ProfileFinger& finger : profile.fingers) {
-      Owner owner{.slots = finger.slots, .lower = 0, .upper = 0};
+      Owner owner{};
+      for (int slot = 0; slot < kSlotCount; ++slot)
+        if (finger.slots[slot]) owner.slots[owner.slot_count++] = slot;
+      owner.share = Real(1) / Real(owner.slot_count);
       if (finger.lateral_table >= 0) {
         owner.lower = static_cast<Real>(profile.lateral_tables[finger.lateral_table].delta_theta_lower);
         owner.upper = static_cast<Real>(profile.lateral_tables[finger.lateral_table].delta_theta_upper);
@@ -109,10 +112,8 @@ class ActionDecoder {
       plane.delta_theta = Num(0);
       for (int j = 0; j < vectors; ++j) plane.delta_r[j] = plane.phi[j] = Num(0);
       plane.common_angles = action.angles == 0 || action.common_phi;
-      int shared = 0;
-      for (int slot = 0; slot < kSlotCount; ++slot) {
-        if (!owner.slots[slot]) continue;
-        ++shared;
+      for (int n = 0; n < owner.slot_count; ++n) {
+        const int slot = owner.slots[n];
         const Num lower(owner.lower), upper(owner.upper);
         Num delta_theta = bounded(sign * action.values[slot], lower, upper, action.normalized);
         if (action.azimuth_offsets != nullptr)
@@ -124,7 +125,7 @@ class ActionDecoder {
           if (action.angles != 0) plane.phi[j] += action.phi[(action.angles == vectors ? 0 : vectors * slot) + j];
         }
       }
-      const Num share(Real(1) / Real(shared));
+      const Num share(owner.share);
       plane.delta_theta *= share;
       for (int j = 0; j < vectors; ++j) {
         plane.delta_r[j] *= share;
@@ -136,7 +137,9 @@ class ActionDecoder {
 
  private:
   struct Owner {
-    std::array<bool, kSlotCount> slots;
+    std::array<int, kSlotCount> slots;  // [slot_count]
+    int slot_count;
+    Real share;         // of each of them in the mean
     Real lower, upper;  // bounds of delta theta
   };
 

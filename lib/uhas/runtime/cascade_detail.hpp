@@ -39,12 +39,15 @@ class Cascade {
  private:
   struct JointState {
     JointValue<Num> value;          // the cascade's own, before closing
+    bool at_start;                  // `value` is the joint's start
     RigidTransform<Num> T_S_moved;  // moved frame in S
     PointMoments<Num> own;          // of the points on the joint's links
     PointMoments<Num> carried;      // own and all further out, decayed, in the joint's moved frame
     Num open_share{1};              // of a step: what closing has left of the weight it carries
     Num q;                          // out
     Mask at_limit, closed;          // out
+
+    void set(const JointValue<Num>& v) { value = v, at_start = false; }
   };
 
   /// A fitted value within limits, and where it was held at one.

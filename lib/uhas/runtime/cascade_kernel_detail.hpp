@@ -63,19 +63,22 @@ void Cascade<Num, Wide>::average_planes(const Model& model) noexcept {
 template <class Num, class Wide>
 void Cascade<Num, Wide>::set_unknown(const Model& model, const SolverStep& step,
                                      const JointValue<Num>& value) noexcept {
-  joints_[step.joint].value = value;
+  joints_[step.joint].set(value);
   for (int i : step.driven) {
     const SolverJoint<Real>& joint = model.joints[i];
-    if (i != step.joint) joints_[i].value = joint.value(Num(joint.multiplier) * value.q + Num(joint.offset));
+    if (i != step.joint) joints_[i].set(joint.value(Num(joint.multiplier) * value.q + Num(joint.offset)));
   }
 }
 
 // joint values before the cascade: lateral joints by table, all others where the rule starts from
 template <class Num, class Wide>
 void Cascade<Num, Wide>::begin_joints(const Model& model, const SolverPart& part) noexcept {
+  JointState* const states = joints_.data();
+  const SolverJoint<Real>* const joints = model.joints.data();
   for (const ScopedJoint& s : part.tree) {
-    JointState& state = joints_[s.joint];
-    state.value = model.joints[s.joint].start.template cast<Num>();
+    JointState& state = states[s.joint];
+    state.value = joints[s.joint].start.template cast<Num>();
+    state.at_start = true;
     state.at_limit = state.closed = Mask(false);
   }
   for (int k : part.laterals) {
@@ -84,12 +87,13 @@ void Cascade<Num, Wide>::begin_joints(const Model& model, const SolverPart& part
     Num value;
     for (int l = 0; l < LaneTraits<Num>::width; ++l)
       set_lane(value, l, look_up_lateral<Real>(lateral.inverse_q, lateral.lower, lateral.upper, lane(delta_theta, l)));
-    JointState& state = joints_[lateral.joint];
-    if (any(value != state.value.q)) state.value = model.joints[lateral.joint].value(value);
+    JointState& state = states[lateral.joint];
+    const Mask moved = value != state.value.q;  // a lane that stands at its start keeps it, whatever the others do
+    state.set(any(moved) ? choose(moved, joints[lateral.joint].value(value), state.value) : state.value);
   }
   for (int i : part.lateral_followers) {
-    const SolverJoint<Real>& joint = model.joints[i];
-    joints_[i].value = joint.value(Num(joint.multiplier) * joints_[joint.master].value.q + Num(joint.offset));
+    const SolverJoint<Real>& joint = joints[i];
+    states[i].set(joint.value(Num(joint.multiplier) * states[joint.master].value.q + Num(joint.offset)));
   }
 }
 
@@ -144,14 +148,16 @@ void Cascade<Num, Wide>::sum_targets(const Model& model, const SolverPart& part)
 // moments from the tips inward: what each joint carries, with the joints further out at their present values
 template <class Num, class Wide>
 void Cascade<Num, Wide>::carry_moments(const Model& model, std::span<const ScopedJoint> scope, Num decay) noexcept {
-  for (const ScopedJoint& s : scope) joints_[s.joint].carried = joints_[s.joint].own;
+  JointState* const states = joints_.data();
+  const SolverJoint<Real>* const joints = model.joints.data();
+  for (const ScopedJoint& s : scope) states[s.joint].carried = states[s.joint].own;
   for (std::size_t n = scope.size(); n-- > 0;) {
     if (!scope[n].inner) continue;
-    const SolverJoint<Real>& joint = model.joints[scope[n].joint];
-    const JointState& state = joints_[scope[n].joint];
-    joints_[joint.parent].carried.add_transformed(state.carried,
-                                                  joint.moved(joint.T_parent_joint.template cast<Num>(), state.value),
-                                                  joint.master < 0 ? decay : Num(1));
+    const SolverJoint<Real>& joint = joints[scope[n].joint];
+    const JointState& state = states[scope[n].joint];
+    const RigidTransform<Num> T = state.at_start ? joint.T_parent_start.template cast<Num>()
+                                                 : joint.moved(joint.T_parent_joint.template cast<Num>(), state.value);
+    states[joint.parent].carried.add_transformed(state.carried, T, joint.master < 0 ? decay : Num(1));
   }
 }
 
@@ -181,11 +187,15 @@ void Cascade<Num, Wide>::sweep(const Model& model, const SolverPart& part, Num d
     solve_step(model, step, frame_before_motion(model, step.driven.front()), decay);
     carry_moments(model, part.tree, decay);
   }
+  JointState* const states = joints_.data();
+  const SolverJoint<Real>* const joints = model.joints.data();
+  const SolverStep* const steps = model.steps.data();
+  const int* const step_at = model.step_at.data();
   for (const ScopedJoint& s : part.tree) {
     const RigidTransform<Num> F = frame_before_motion(model, s.joint);
-    const int k = model.step_at[s.joint];
-    if (k >= 0) solve_step(model, model.steps[k], F, decay);
-    joints_[s.joint].T_S_moved = model.joints[s.joint].moved(F, joints_[s.joint].value);
+    const int k = step_at[s.joint];
+    if (k >= 0) solve_step(model, steps[k], F, decay);
+    states[s.joint].T_S_moved = joints[s.joint].moved(F, states[s.joint].value);
   }
 }
 
@@ -193,12 +203,15 @@ void Cascade<Num, Wide>::sweep(const Model& model, const SolverPart& part, Num d
 template <class Num, class Wide>
 void Cascade<Num, Wide>::solve_step(const Model& model, const SolverStep& step, const RigidTransform<Num>& F,
                                     Num decay) noexcept {
-  Num full_weight(0), weight(0);
-  for (int i : step.driven) full_weight += joints_[i].carried.full_weight, weight += joints_[i].carried.weight;
+  JointState& state = joints_[step.joint];
+  Num full_weight = state.carried.full_weight, weight = state.carried.weight;
+  if (!step.single) {
+    full_weight = weight = Num(0);
+    for (int i : step.driven) full_weight += joints_[i].carried.full_weight, weight += joints_[i].carried.weight;
+  }
   const Mask weighs = full_weight > Num(0);
   Num open_share = select(weighs, weight / select(weighs, full_weight, Num(1)), Num(1));
   if (model.options.closing == Closing::hard) open_share = select(open_share > Num(0), Num(1), open_share);
-  JointState& state = joints_[step.joint];
   state.open_share = open_share;
   const Mask closed = open_share <= Num(0);
   const JointValue<Num> present = state.value;
@@ -220,8 +233,10 @@ void Cascade<Num, Wide>::solve_step(const Model& model, const SolverStep& step, 
     fit.value = choose(closed, present, fit.value);
     fit.at_limit = fit.at_limit & Mask(!closed);
   }
-  set_unknown(model, step, fit.value);
+  state.set(fit.value);
   state.at_limit = fit.at_limit, state.closed = closed;
+  if (step.single) return;
+  set_unknown(model, step, fit.value);
   for (int i : step.driven) joints_[i].at_limit = fit.at_limit, joints_[i].closed = closed;
 }
 
@@ -238,10 +253,12 @@ typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::within_limits(const SolverJ
 // that has faded already would open to make up for it (measured on Allegro: a jump of 1 rad at delta r = -0.76).
 template <class Num, class Wide>
 void Cascade<Num, Wide>::close_faded(const Model& model, const SolverPart& part) noexcept {
-  for (const ScopedJoint& s : part.tree) joints_[s.joint].q = joints_[s.joint].value.q;
+  JointState* const states = joints_.data();
+  const SolverStep* const steps = model.steps.data();
+  for (const ScopedJoint& s : part.tree) states[s.joint].q = states[s.joint].value.q;
   for (int k : part.steps) {
-    const SolverStep& step = model.steps[k];
-    JointState& state = joints_[step.joint];
+    const SolverStep& step = steps[k];
+    JointState& state = states[step.joint];
     const Mask whole = state.open_share == Num(1);
     if (all(whole)) continue;
     const SolverJoint<Real>& joint = model.joints[step.joint];
@@ -266,9 +283,9 @@ typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::fit_single(const Model& mod
   const JointValue<Num>& present = joints_[joint].value;
   const Mask weighs = moments.weight > zero;
   const Num per_weight = one / select(weighs, moments.weight, one);
-  const JointFit<Num> fit = fit_joint(moments, F);
-  if (j.prismatic) return within_limits(j, j.value(select(weighs, fit.shift * per_weight, present.q)));
+  if (j.prismatic) return within_limits(j, j.value(select(weighs, fit_shift(moments, F) * per_weight, present.q)));
 
+  const TurnFit<Num> fit = fit_turn(moments, F);
   const Num held = hold * (moments.p.x * moments.p.x + moments.p.y * moments.p.y) * per_weight;
   const Num sine = fit.sine + held * present.sine, cosine = fit.cosine + held * present.cosine;
   const Num length = sqrt(sine * sine + cosine * cosine);
@@ -325,9 +342,15 @@ typename Cascade<Num, Wide>::Descent Cascade<Num, Wide>::descent(const Model& mo
   Descent sum{Num(0), Num(0)};
   for (int i : step.driven) {
     const PointMoments<Num>& moments = joints_[i].carried;
-    const JointFit<Num> fit = fit_joint(moments, joints_[i].T_S_moved);
-    sum.slope += rate(i) * (model.joints[i].prismatic ? fit.shift : fit.sine);
-    sum.bend -= rate(i) * rate(i) * (model.joints[i].prismatic ? moments.weight : fit.cosine);
+    const RigidTransform<Num>& T_S_moved = joints_[i].T_S_moved;
+    if (model.joints[i].prismatic) {
+      sum.slope += rate(i) * fit_shift(moments, T_S_moved);
+      sum.bend -= rate(i) * rate(i) * moments.weight;
+    } else {
+      const TurnFit<Num> fit = fit_turn(moments, T_S_moved);
+      sum.slope += rate(i) * fit.sine;
+      sum.bend -= rate(i) * rate(i) * fit.cosine;
+    }
   }
   for (const auto& [inner, outer] : step.nested)
     sum.bend += Num(2) * rate(inner) * rate(outer) *
@@ -337,7 +360,7 @@ typename Cascade<Num, Wide>::Descent Cascade<Num, Wide>::descent(const Model& mo
 
 template <class Num, class Wide>
 double Cascade<Num, Wide>::residual_rms(const Model& model) noexcept {
-  for (std::size_t i = 0; i < joints_.size(); ++i) joints_[i].value = model.joints[i].value(joints_[i].q);
+  for (std::size_t i = 0; i < joints_.size(); ++i) joints_[i].set(model.joints[i].value(joints_[i].q));
   for (const SolverPart& part : model.parts) move_frames(model, part.tree);
   double sum = 0, weight = 0;
   for (const SolverPoint<Real>& point : model.points) {

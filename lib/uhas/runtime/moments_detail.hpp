@@ -90,12 +90,11 @@ struct PointMoments : TargetMoments<Num> {
   }
 };
 
-/// What a joint sees of its points, all in the joint's frame F before its own motion, whose z is the joint's axis.
+/// What a turning joint sees of its points, in the joint's frame F before its own motion, whose z is the joint's axis.
 template <class Num>
-struct JointFit {
+struct TurnFit {
   Num sine{};    ///< sum w s z . (p x t)
   Num cosine{};  ///< sum w s (p_x t_x + p_y t_y)
-  Num shift{};   ///< sum w s z . (t - p)
 };
 
 /// Targets go to F by t_F = R^T (t - o), so that sum p t_F^T = (sum p t^T - sum p o^T) R; only the rows and columns
@@ -103,15 +102,19 @@ struct JointFit {
 /// @param moments  points in F at joint value 0, targets in S
 /// @param T_S_F    F in S
 template <class Num>
-JointFit<Num> fit_joint(const PointMoments<Num>& moments, const RigidTransform<Num>& T_S_F) {
+TurnFit<Num> fit_turn(const PointMoments<Num>& moments, const RigidTransform<Num>& T_S_F) {
   const std::array<Vector3<Num>, 3>& pt = moments.pt;
   const Vector3<Num> o = T_S_F.translation, p = moments.p;
   const Vector3<Num> row_x = Vector3<Num>{pt[0].x, pt[1].x, pt[2].x} - p.x * o;
   const Vector3<Num> row_y = Vector3<Num>{pt[0].y, pt[1].y, pt[2].y} - p.y * o;
-  const Vector3<Num> x = T_S_F.rotation.column(0), y = T_S_F.rotation.column(1), z = T_S_F.rotation.column(2);
-  return {.sine = dot(row_x, y) - dot(row_y, x),
-          .cosine = dot(row_x, x) + dot(row_y, y),
-          .shift = dot(z, moments.t - moments.weight * o) - p.z};
+  const Vector3<Num> x = T_S_F.rotation.column(0), y = T_S_F.rotation.column(1);
+  return {.sine = dot(row_x, y) - dot(row_y, x), .cosine = dot(row_x, x) + dot(row_y, y)};
+}
+
+/// What a sliding joint sees of them: sum w s z . (t - p).
+template <class Num>
+Num fit_shift(const PointMoments<Num>& moments, const RigidTransform<Num>& T_S_F) {
+  return dot(T_S_F.rotation.column(2), moments.t - moments.weight * T_S_F.translation) - moments.p.z;
 }
 
 /// How two turning joints of one chain bend the cost together: the second derivative of sum w s p . t, with the outer

@@ -138,6 +138,14 @@ std::vector<ScopedJoint> scope_of(const CascadeStep& step, const KinematicTree& 
   return scope;
 }
 
+/// [joint] whether some step moves it.
+std::vector<bool> moved_joints(std::span<const SolverStep> steps, std::size_t joint_count) {
+  std::vector<bool> moved(joint_count, false);
+  for (const SolverStep& step : steps)
+    for (const ScopedJoint& s : step.scope) moved[s.joint] = true;
+  return moved;
+}
+
 /// The finger whose plane a point follows: of those that share the joint, the one nearest in azimuth.
 int finger_of_point(const HandProfile& profile, const Correspondence& c) {
   int nearest = -1;
@@ -247,13 +255,14 @@ std::vector<int> connected_joints(const HandProfile& profile) {
 template <class Real>
 std::vector<SolverPart> gather_parts(const HandProfile& profile, const SolverModel<Real>& model) {
   const std::vector<int> least = connected_joints(profile);
+  const std::vector<bool> moved = moved_joints(model.steps, model.joints.size());
   std::vector<SolverPart> parts;
   for (int first = 0; first < static_cast<int>(least.size()); ++first) {
     if (least[first] != first) continue;
     SolverPart part;
     const auto inside = [&](int joint) { return least[joint] == first; };
     for (int i = 0; i < static_cast<int>(least.size()); ++i)
-      if (inside(i)) part.tree.push_back({i, model.joints[i].parent >= 0});
+      if (inside(i)) part.tree.push_back({i, model.joints[i].parent >= 0 && moved[model.joints[i].parent]});
     for (int f = 0; f < static_cast<int>(profile.fingers.size()); ++f)
       if (inside(profile.fingers[f].joints.front())) part.fingers.push_back(f);
     for (int k = 0; k < static_cast<int>(model.laterals.size()); ++k) {
@@ -316,8 +325,8 @@ SolverModel<Real>::SolverModel(const HandProfile& profile, const SolveOptions& s
 
   for (int i = 0; i < joint_count; ++i) {
     SolverJoint<Real>& joint = joints[i];
-    if (joint.master < 0) continue;
-    joint.start = joint.value(joint.multiplier * joints[joint.master].start.q + joint.offset);
+    if (joint.master >= 0) joint.start = joint.value(joint.multiplier * joints[joint.master].start.q + joint.offset);
+    joint.T_parent_start = joint.moved(joint.T_parent_joint, joint.start);
   }
 
   plane_groups = group_planes(profile);
@@ -343,7 +352,9 @@ SolverModel<Real>::SolverModel(const HandProfile& profile, const SolveOptions& s
   }
   patches = gather_patches(points);
   patches_of_finger.resize(finger_count);
-  for (int k = 0; k < static_cast<int>(patches.size()); ++k) patches_of_finger[patches[k].finger].push_back(k);
+  const std::vector<bool> moved = moved_joints(steps, joints.size());
+  for (int k = 0; k < static_cast<int>(patches.size()); ++k)
+    if (moved[patches[k].joint]) patches_of_finger[patches[k].finger].push_back(k);
   parts = gather_parts(profile, *this);
 }
 

@@ -35,6 +35,7 @@ struct SolverJoint {
   Real unit{};                          ///< profile units of q per solver unit: r for a prismatic joint, else 1
   JointValue<Real> lower, upper;        ///< solver units, like every joint value below
   JointValue<Real> start;               ///< before the cascade: q_sphere, or open for what a contact is sought for
+  RigidTransform<Real> T_parent_start;  ///< the joint's frame moved by `start`
   Real q_closed{};
   JointTravel<Real> travel;
   Real branch_start{};                  ///< fitted angles are taken from [branch_start, branch_start + 2 pi)
@@ -100,7 +101,8 @@ struct SolverLateral {
   std::vector<Real> inverse_q;
 };
 
-/// A joint of a part of the tree; `inner` says that its parent belongs to that part too.
+/// A joint of a part of the tree; `inner` says that its parent belongs to that part too and moves with a step, so that the
+/// parent carries its points.
 struct ScopedJoint {
   int joint;
   bool inner;
@@ -133,7 +135,7 @@ struct SolverModel {
   std::vector<SolverJoint<Real>> joints;
   std::vector<SolverPoint<Real>> points;       ///< sorted by patch
   std::vector<SolverPatch<Real>> patches;
-  std::vector<std::vector<int>> patches_of_finger;  ///< [finger] indices into `patches`
+  std::vector<std::vector<int>> patches_of_finger;  ///< [finger] indices into `patches`, of those that a step moves
   std::vector<SolverLateral<Real>> laterals;
   std::vector<SolverStep> steps;
   std::vector<SolverPart> parts;

@@ -36,6 +36,8 @@ int solve(uhas_batch* handle, const Real* values, std::size_t actions_size, cons
                                         .driving_vectors = actions.driving_vectors(),
                                         .driving_vectors_phi = actions.angles(),
                                         .normalized = actions.normalized(),
+                                        .azimuth_offsets = actions.azimuth_offsets(),
+                                        .radial_bounds = actions.radial_bounds(),
                                         .hands = c::array(hands, count)},
                                        std::span(q, q_size), c::array(reinterpret_cast<Status*>(statuses), count)));
 }

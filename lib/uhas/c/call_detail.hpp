@@ -95,12 +95,14 @@ Options read_options(const Options* given, Options options) {
 
 inline SolveOptions solve_options(const uhas_solve_options* given) {
   const uhas_solve_options options = read_options(given, UHAS_SOLVE_OPTIONS_INIT);
-  for (int choice : {options.rule, options.closing, options.field})
-    if (choice != 0 && choice != 1) refuse("a rule, closing or field is " + std::to_string(choice), "choose 0 or 1");
+  for (int choice : {options.rule, options.closing, options.field, options.convention})
+    if (choice != 0 && choice != 1)
+      refuse("a rule, closing, field or convention is " + std::to_string(choice), "choose 0 or 1");
   return {.rule = static_cast<Rule>(options.rule),
           .closing = static_cast<Closing>(options.closing),
           .field = static_cast<FieldReading>(options.field),
-          .passes = options.passes};
+          .passes = options.passes,
+          .convention = (options.convention == UHAS_CONVENTION_SIM ? kUhasSim : kUhas).convention};
 }
 
 /// An array and its size; empty when there is none.
@@ -126,7 +128,13 @@ class Actions {
     normalized_ = options.normalized != 0;
     angles_ = options.driving_vectors_phi == nullptr ? 0 : options.driving_vectors_size;
     fits_ = fits_ && angles_ <= phi_.size();
-    for (std::size_t j = 0; fits_ && j < angles_; ++j) phi_[j] = static_cast<Real>(options.driving_vectors_phi[j]);
+    const auto as_real = [](double number) { return static_cast<Real>(number); };
+    if (fits_ && angles_ > 0)
+      std::transform(options.driving_vectors_phi, options.driving_vectors_phi + angles_, phi_.begin(), as_real);
+    has_offsets_ = fits_ && options.azimuth_offsets != nullptr;
+    has_bounds_ = fits_ && options.radial_bounds != nullptr;
+    if (has_offsets_) std::transform(options.azimuth_offsets, options.azimuth_offsets + kSlotCount, offsets_.begin(), as_real);
+    if (has_bounds_) std::transform(options.radial_bounds, options.radial_bounds + 2, bounds_.begin(), as_real);
   }
 
   /// Whether the sizes agree.
@@ -135,12 +143,14 @@ class Actions {
     return std::all_of(values_.begin(), values_.end(), [](Real value) { return std::isfinite(value); });
   }
   Action<Real> operator[](std::size_t hand) const noexcept {
-    return {values_.subspan(hand * row_, row_), angles(), normalized_};
+    return {values_.subspan(hand * row_, row_), angles(), normalized_, azimuth_offsets(), radial_bounds()};
   }
 
   std::span<const Real> values() const noexcept { return values_; }
   std::span<const Real> angles() const noexcept { return std::span(phi_).first(angles_); }
   bool normalized() const noexcept { return normalized_; }
+  std::span<const Real> azimuth_offsets() const noexcept { return std::span(offsets_).first(has_offsets_ ? kSlotCount : 0); }
+  std::span<const Real> radial_bounds() const noexcept { return std::span(bounds_).first(has_bounds_ ? 2 : 0); }
 
   /// V; 0 when no V makes rows so long.
   int driving_vectors() const noexcept {
@@ -152,7 +162,9 @@ class Actions {
   std::size_t row_;
   std::array<Real, kSlotCount * kMaxDrivingVectors> phi_{};
   std::size_t angles_ = 0;
-  bool normalized_ = false, fits_ = false;
+  std::array<Real, kSlotCount> offsets_{};
+  std::array<Real, 2> bounds_{};
+  bool normalized_ = false, has_offsets_ = false, has_bounds_ = false, fits_ = false;
 };
 
 /// One object in both precisions.

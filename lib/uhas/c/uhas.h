@@ -89,14 +89,17 @@ typedef struct uhas_action_options {
   int normalized;                     /* values in [-1, 1]: 0 is undeformed, -1 and 1 are the bounds */
   const double* driving_vectors_phi;  /* [V] or [5 V] polar angles; NULL = pi j / (V + 1) */
   size_t driving_vectors_size;
+  const double* azimuth_offsets;      /* [5] rad: a slot's plane stands this much further; NULL = 0 */
+  const double* radial_bounds;        /* [2] lower <= 0 <= upper; NULL = those of the convention */
 } uhas_action_options;
-#define UHAS_ACTION_OPTIONS_INIT {sizeof(uhas_action_options), 0, NULL, 0}
+#define UHAS_ACTION_OPTIONS_INIT {sizeof(uhas_action_options), 0, NULL, 0, NULL, NULL}
 
 /* ---- Solving: actions to joint angles, within limits for any finite action. */
 
 enum { UHAS_RULE_CORRESPONDENCE = 0, UHAS_RULE_CONTACT = 1 };
 enum { UHAS_CLOSING_FADE = 0, UHAS_CLOSING_HARD = 1 };
 enum { UHAS_FIELD_FINGER = 0, UHAS_FIELD_FIELD = 1 };
+enum { UHAS_CONVENTION_UHAS = 0, UHAS_CONVENTION_SIM = 1 }; /* what actions mean; the second is uhas::kUhasSim's */
 
 typedef struct uhas_solve_options { /* see uhas/runtime/cascade_solver.hpp */
   size_t struct_size;
@@ -104,8 +107,12 @@ typedef struct uhas_solve_options { /* see uhas/runtime/cascade_solver.hpp */
   int closing;
   int field;
   int passes; /* 1 to 100 */
+  int convention;
 } uhas_solve_options;
-#define UHAS_SOLVE_OPTIONS_INIT {sizeof(uhas_solve_options), UHAS_RULE_CORRESPONDENCE, UHAS_CLOSING_FADE, UHAS_FIELD_FINGER, 1}
+#define UHAS_SOLVE_OPTIONS_INIT \
+  {sizeof(uhas_solve_options), UHAS_RULE_CORRESPONDENCE, UHAS_CLOSING_FADE, UHAS_FIELD_FINGER, 1, UHAS_CONVENTION_UHAS}
+#define UHAS_SIM_SOLVE_OPTIONS_INIT /* uhas::kUhasSim: for policies trained with the authors' released code; unverified */ \
+  {sizeof(uhas_solve_options), UHAS_RULE_CONTACT, UHAS_CLOSING_HARD, UHAS_FIELD_FINGER, 1, UHAS_CONVENTION_SIM}
 
 typedef struct uhas_solve_report { /* what a solve found out besides the angles; each array may be NULL */
   size_t struct_size;

@@ -181,6 +181,40 @@ TEST_CASE("a C program solves, with options of every kind") {
   CHECK(q == expected);
 }
 
+TEST_CASE("randomised action spaces and the other convention are those of C++, in single calls and in batches") {
+  const std::vector<double> actions = random_actions(3, 5), offsets{0.05, -0.05, 0.1, 0.02, -0.03}, bounds{-0.4, 0.1};
+  uhas_action_options action_options = UHAS_ACTION_OPTIONS_INIT;
+  action_options.azimuth_offsets = offsets.data(), action_options.radial_bounds = bounds.data();
+  const uhas_solve_options sim = UHAS_SIM_SOLVE_OPTIONS_INIT;
+  for (const uhas_solve_options* solve_options : {static_cast<const uhas_solve_options*>(nullptr), &sim}) {
+    CascadeSolver<double> expected(test::small_profile(), solve_options == nullptr ? kUhas : kUhasSim);
+    OwnedSolver solver;
+    REQUIRE(uhas_solver_create(small_handle(), solve_options, &solver.get, nullptr, 0) == UHAS_OK);
+    const uhas_profile* profile = small_handle();
+    uhas_batch* batch = nullptr;
+    REQUIRE(uhas_batch_create(&profile, 1, solve_options, nullptr, &batch, nullptr, 0) == UHAS_OK);
+
+    std::vector<double> q(3 * kJoints), q_batch(q.size()), q_expected(q.size());
+    CHECK(uhas_solver_solve(solver.get, actions.data(), actions.size(), &action_options, q.data(), q.size(), nullptr) ==
+          UHAS_OK);
+    CHECK(uhas_batch_solve(batch, actions.data(), actions.size(), &action_options, nullptr, q_batch.data(), q_batch.size(),
+                           nullptr) == UHAS_OK);
+    for (std::size_t n = 0; n < 3; ++n)
+      REQUIRE(expected.solve({.values = std::span(actions).subspan(15 * n, 15), .azimuth_offsets = offsets, .radial_bounds = bounds},
+                             std::span(q_expected).subspan(kJoints * n, kJoints)) == Status::ok);
+    CHECK(q == q_expected);
+    for (std::size_t i = 0; i < q.size(); ++i) CHECK(std::abs(q_batch[i] - q_expected[i]) < 1e-10);
+    uhas_batch_free(batch);
+  }
+  const double wrong[2] = {0.1, 0.2};
+  action_options.radial_bounds = wrong;
+  OwnedSolver solver;
+  REQUIRE(uhas_solver_create(small_handle(), nullptr, &solver.get, nullptr, 0) == UHAS_OK);
+  std::vector<double> q(3 * kJoints);
+  CHECK(uhas_solver_solve(solver.get, actions.data(), actions.size(), &action_options, q.data(), q.size(), nullptr) ==
+        UHAS_INVALID_RADIAL_BOUNDS);
+}
+
 TEST_CASE("what a solve is refused for leaves every output as it was") {
   OwnedSolver solver;
   REQUIRE(uhas_solver_create(small_handle(), nullptr, &solver.get, nullptr, 0) == UHAS_OK);

@@ -29,11 +29,9 @@ class FingertipKinematics {
   int finger_count() const noexcept;
 
   /// @param q           [joint_count()] rad, m for prismatic joints, in the profile's joint order. The elements of
-  /// mimic
-  ///                    followers are not read: their masters decide. Values beyond limits are taken as they are.
+  ///                    mimic followers are not read: their masters decide. Values beyond limits are taken as they are.
   /// @param fingertips  [finger_count()][3] caller-owned: x y z (m) in the palm frame, fingers as in the profile;
-  /// untouched
-  ///                    on any status but ok
+  ///                    untouched on any status but ok
   Status fingertips(std::span<const Real> q, std::span<Real> fingertips) const noexcept;
 
   /// The same for N hands of this kind, on the calling thread: q [N][joint_count()] to fingertips

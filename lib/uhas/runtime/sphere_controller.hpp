@@ -43,8 +43,8 @@ class SphereController {
   /// Throws Error: as CascadeSolver; invalid_option for an option out of its range.
   explicit SphereController(const HandProfile& profile, const SphereControllerOptions& options = {});
 
-  int joint_count()
-      const noexcept;  ///< length of q and of the targets: every joint of the profile, mimic followers included
+  /// Length of q and of the targets: every joint of the profile, mimic followers included.
+  int joint_count() const noexcept;
 
   /// Begins at a posture, usually the measured one: held within the joints' limits, followers where their masters put
   /// them.
@@ -59,8 +59,7 @@ class SphereController {
   /// @param action   as CascadeSolver takes it
   /// @param dt       s, since the last update; > 0 and finite, else Status::invalid_period
   /// @param targets  [joint_count()] in: those of `reset` or of the last update; out: the next ones. Held (untouched)
-  /// on
-  ///                 any status but ok. Within the joints' limits; the elements of followers are not read
+  ///                 on any status but ok. Within the joints' limits; the elements of followers are not read
   Status update(const Action<Real>& action, Real dt, std::span<Real> targets) noexcept;
 
   /// The same toward a solution that is there already: a row of a BatchSolver's, when there are many hands.

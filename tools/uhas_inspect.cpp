@@ -43,9 +43,9 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--check", options.urdf,
                  "Check instead that the profile was built from this URDF and its meshes; exit 1 when not")
       ->type_name("hand.urdf");
-  app.add_option("--gltf", options.glb, "Draw the wrapped hand, its sphere and its surface points as binary glTF")->type_name("FILE");
-  app.add_option("--ply", options.ply, "Write the surface points with their sphere coordinates as PLY")->type_name("FILE");
-  app.add_option("--svg", options.svg, "Draw the lateral tables as SVG")->type_name("FILE");
+  app.add_option("--gltf", options.glb, "Draw the wrapped hand, its sphere and its surface points as binary glTF")->type_name("hand.glb");
+  app.add_option("--ply", options.ply, "Write the surface points with their sphere coordinates as PLY")->type_name("points.ply");
+  app.add_option("--svg", options.svg, "Draw the lateral tables as SVG")->type_name("tables.svg");
   add_model_options(app, options.model);
   app.add_flag("--reseal", options.reseal, "Make a profile that was edited with an HDF5 tool readable again");
 }

@@ -38,7 +38,7 @@ struct SolverJoint {
   RigidTransform<Real> T_parent_start;  ///< the joint's frame moved by `start`
   Real q_closed{};
   JointTravel<Real> travel;
-  Real branch_start{};                  ///< fitted angles are taken from [branch_start, branch_start + 2 pi)
+  std::array<Real, kLeadInputs> lead{};  ///< rad a radius: how far the first fit goes ahead for the joints further out
   int master = -1;
   Real multiplier{1}, offset{};
 
@@ -125,6 +125,16 @@ struct SolverPart {
   std::vector<int> steps;             ///< indices into `SolverModel::steps`, in solving order
 };
 
+/// One sweep over a part.
+template <class Real>
+struct SolverPass {
+  Real decay;  ///< factor on a point's weight for each unknown between it and a joint
+  bool first;  ///< the joints further out stand at their start: a fit leads
+};
+
+/// Share of the points' own weight that holds a joint at its present value (cascade_kernel_detail.hpp).
+inline constexpr double kHold = 0.6;
+
 template <class Real>
 struct SolverModel {
   SolverModel(const HandProfile& profile, const SolveOptions& solve_options);
@@ -139,7 +149,7 @@ struct SolverModel {
   std::vector<SolverLateral<Real>> laterals;
   std::vector<SolverStep> steps;
   std::vector<SolverPart> parts;
-  std::vector<Real> decays;                    ///< [pass] factor on a point's weight for each unknown between it and a joint
+  std::vector<SolverPass<Real>> passes;
   std::vector<int> step_at;                    ///< [joint] the step solved when the sweep reaches the joint; -1 = none
   std::vector<int> tip_joint;                  ///< [finger]
   std::vector<Vector3<Real>> p_tip;            ///< [finger] in the tip joint's moved frame

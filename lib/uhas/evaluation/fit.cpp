@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "uhas/evaluation/action_space_detail.hpp"
 #include "uhas/evaluation/optimum_detail.hpp"
 #include "uhas/evaluation/parallel_detail.hpp"
 #include "uhas/runtime/forward_kinematics.hpp"
@@ -13,17 +12,6 @@ namespace {
 
 constexpr double kNegligible = 0.005;  // radii: a ratio to less says nothing
 constexpr double kAgreement = 1e-2;    // of the rms
-
-std::vector<std::vector<double>> actions_of(const HandProfile& profile, const FitOptions& options) {
-  const ActionSpace space(profile);
-  std::mt19937_64 random(options.seed);
-  std::vector<std::vector<double>> actions;
-  for (int n = 0; n < options.actions; ++n) {
-    actions.push_back(space.random(random, options.radial_bound));
-    if (n % 2 == 0) std::fill_n(actions.back().begin(), kSlotCount, 0.0);
-  }
-  return actions;
-}
 
 /// Where the optimiser starts besides the cascade's answer: wrapped, open, closed, at mid-range and half closed; the lateral
 /// joints as in `q`.
@@ -52,15 +40,15 @@ struct Sample {
 
 }  // namespace
 
-FitScore measure_fit(const HandProfile& profile, const FitOptions& options) {
-  const std::vector<std::vector<double>> actions = actions_of(profile, options);
+FitScore measure_fit(const HandProfile& profile, std::span<const std::vector<double>> actions,
+                     std::span<const SolveOptions> solves, int threads) {
   const std::vector<LeastSquares> hand = LeastSquares::of_hand(profile);
   std::vector<CascadeSolver<double>> solvers;
-  for (const SolveOptions& solve : options.solves) solvers.emplace_back(profile, solve);
+  for (const SolveOptions& solve : solves) solvers.emplace_back(profile, solve);
   solvers.emplace_back(profile, SolveOptions{.passes = 10});  // a start near the optimum
 
   std::vector<std::vector<Sample>> samples(actions.size(), std::vector<Sample>(hand.size()));
-  parallel_for(static_cast<int>(actions.size()), options.threads, [&] {
+  parallel_for(static_cast<int>(actions.size()), threads, [&] {
     return [&, problems = hand, solvers](int n) mutable {
       std::vector<std::vector<double>> q(solvers.size(), std::vector<double>(profile.tree.joints.size()));
       for (std::size_t s = 0; s < solvers.size(); ++s) solvers[s].solve({.values = actions[n]}, q[s]);
@@ -72,7 +60,7 @@ FitScore measure_fit(const HandProfile& profile, const FitOptions& options) {
         const Optimum optimum = find_optimum(profile, problems[k], starts_of(profile, problems[k].unknowns(), q.back()));
         sample.best = optimum.rms;
         sample.confirmed = optimum.second_rms <= (1 + kAgreement) * optimum.rms;
-        for (std::size_t s = 0; s < options.solves.size(); ++s) sample.rms.push_back(problems[k].rms(q[s]));
+        for (std::size_t s = 0; s < solves.size(); ++s) sample.rms.push_back(problems[k].rms(q[s]));
       }
     };
   });
@@ -88,8 +76,8 @@ FitScore measure_fit(const HandProfile& profile, const FitOptions& options) {
       score.unconfirmed += !sample.confirmed && sample.best >= kNegligible;
     }
   score.optimum = quantiles(optima);
-  for (std::size_t s = 0; s < options.solves.size(); ++s) {
-    SolveFit fit{.solve = options.solves[s], .fingers = std::vector<FingerFit>(profile.fingers.size()), .pooled = {}};
+  for (std::size_t s = 0; s < solves.size(); ++s) {
+    SolveFit fit{.solve = solves[s], .fingers = std::vector<FingerFit>(profile.fingers.size()), .pooled = {}};
     std::vector<double> all_residuals, all_ratios;
     for (std::size_t k = 0; k < hand.size(); ++k) {
       std::vector<double> residuals, ratios;

@@ -1,7 +1,7 @@
 // How near the cascade comes to the best fit of the hand's points to their targets.
 #pragma once
 
-#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "uhas/evaluation/quantiles.hpp"
@@ -9,14 +9,6 @@
 #include "uhas/runtime/cascade_solver.hpp"
 
 namespace uhas {
-
-struct FitOptions {
-  int actions = 400;
-  double radial_bound = 0.6;  ///< of the random displacements, sphere radii
-  std::uint64_t seed = 1;
-  int threads = 1;
-  std::vector<SolveOptions> solves;  ///< what is measured; reading `finger` and closing `fade`
-};
 
 /// Of one finger, or of all pooled.
 struct FingerFit {
@@ -31,15 +23,18 @@ struct SolveFit {
 };
 
 struct FitScore {
-  std::vector<SolveFit> solves;   ///< as in the options
+  std::vector<SolveFit> solves;   ///< in the order asked for
   Quantiles optimum;              ///< rms of the numerical optimum, pooled, sphere radii
   int problems = 0;               ///< actions times fingers
   int negligible = 0;             ///< of these, with an optimum below 0.005 radii: no ratio
   int unconfirmed = 0;            ///< optima that only one of the starts has found, to 1 % of their rms
 };
 
-/// Random actions: azimuths uniform between their bounds (zero in every other action), displacements uniform within the bound.
 /// The numerical optimum minimises the same sum over the same limits, from six starts.
-FitScore measure_fit(const HandProfile& profile, const FitOptions& options);
+/// @param actions  [N][15]
+/// @param solves   what is measured; reading `finger` and closing `fade`
+/// @param threads  at least 1; the score does not depend on it
+FitScore measure_fit(const HandProfile& profile, std::span<const std::vector<double>> actions,
+                     std::span<const SolveOptions> solves, int threads);
 
 }  // namespace uhas

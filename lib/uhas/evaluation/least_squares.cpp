@@ -1,45 +1,13 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "uhas/base/spherical.hpp"
-#include "uhas/evaluation/action_space_detail.hpp"
+#include "uhas/evaluation/driving_plane_detail.hpp"
 #include "uhas/evaluation/least_squares_detail.hpp"
 #include "uhas/runtime/forward_kinematics.hpp"
 
 namespace uhas {
 namespace {
-
-/// The deformation of a finger's plane: the mean of its slots, the azimuth within the bounds of its table.
-struct Plane {
-  double delta_theta = 0;
-  std::array<double, ActionSpace::kVectors> delta_r{};
-
-  /// Displacement at a polar angle: 0 at the pole, linear to the first vector at 60°, to the second at 120°, constant beyond.
-  double at(double phi) const {
-    constexpr double step = std::numbers::pi / (ActionSpace::kVectors + 1);
-    if (phi <= step) return delta_r[0] * phi / step;
-    return delta_r[0] + (delta_r[1] - delta_r[0]) * std::min(phi - step, step) / step;
-  }
-
-  /// What is left of a point as its sphere radius falls from 0.5 to 0; never less near the pole than at the first vector.
-  double open_share(double phi) const {
-    const double u = std::clamp((1 + at(std::max(phi, std::numbers::pi / (ActionSpace::kVectors + 1)))) / 0.5, 0.0, 1.0);
-    return u * u * (3 - 2 * u);
-  }
-};
-
-Plane plane_of(const ProfileFinger& finger, const ActionSpace& space, std::span<const double> action) {
-  Plane plane;
-  const double slots = static_cast<double>(std::count(finger.slots.begin(), finger.slots.end(), true));
-  for (int slot = 0; slot < kSlotCount; ++slot) {
-    if (!finger.slots[slot]) continue;
-    plane.delta_theta += std::clamp(action[slot], space.lower[slot], space.upper[slot]) / slots;
-    for (int j = 0; j < ActionSpace::kVectors; ++j)
-      plane.delta_r[j] += std::clamp(action[ActionSpace::radial(slot, j)], -kRadialBound, kRadialBound) / slots;
-  }
-  return plane;
-}
 
 bool contains(const std::vector<int>& list, int value) { return std::find(list.begin(), list.end(), value) != list.end(); }
 
@@ -104,11 +72,11 @@ void LeastSquares::add_points() {
 
 void LeastSquares::set_action(std::span<const double> action) {
   const ActionSpace space(*profile_);
-  std::vector<Plane> planes;
-  for (const ProfileFinger& finger : profile_->fingers) planes.push_back(plane_of(finger, space, action));
+  std::vector<DrivingPlane> planes;
+  for (const ProfileFinger& finger : profile_->fingers) planes.push_back(driving_plane(finger, space, action));
   weight_ = 0;
   for (Point& point : points_) {
-    const Plane& plane = planes[point.finger];
+    const DrivingPlane& plane = planes[point.finger];
     const double azimuth = (profile_->mirrored ? -1 : 1) * (point.theta + plane.delta_theta);
     const double radius = profile_->radius * std::max(point.rho + plane.at(point.phi), 0.0);
     point.t_palm = profile_->T_palm_sphere * from_spherical<double>({azimuth, point.phi, radius});

@@ -56,7 +56,7 @@ void Cascade<Num, Wide>::average_planes(const Model& model) noexcept {
         mean.delta_r[j] += share * planes[finger].delta_r[j];
       }
     }
-    mean.complete(model.options.convention.held_toward_pole);
+    mean.complete(model.options.convention.held_toward_pole, false);
   }
 }
 
@@ -64,6 +64,7 @@ template <class Num, class Wide>
 void Cascade<Num, Wide>::set_unknown(const Model& model, const SolverStep& step,
                                      const JointValue<Num>& value) noexcept {
   joints_[step.joint].set(value);
+  if (step.single) return;
   for (int i : step.driven) {
     const SolverJoint<Real>& joint = model.joints[i];
     if (i != step.joint) joints_[i].set(joint.value(Num(joint.multiplier) * value.q + Num(joint.offset)));
@@ -209,9 +210,11 @@ void Cascade<Num, Wide>::solve_step(const Model& model, const SolverStep& step, 
     full_weight = weight = Num(0);
     for (int i : step.driven) full_weight += joints_[i].carried.full_weight, weight += joints_[i].carried.weight;
   }
-  const Mask weighs = full_weight > Num(0);
-  Num open_share = select(weighs, weight / select(weighs, full_weight, Num(1)), Num(1));
-  if (model.options.closing == Closing::hard) open_share = select(open_share > Num(0), Num(1), open_share);
+  Num open_share(1);
+  if (!all(weight == full_weight)) {  // closing has taken some
+    open_share = weight / select(full_weight > Num(0), full_weight, Num(1));
+    if (model.options.closing == Closing::hard) open_share = select(open_share > Num(0), Num(1), open_share);
+  }
   state.open_share = open_share;
   const Mask closed = open_share <= Num(0);
   const JointValue<Num> present = state.value;
@@ -280,31 +283,28 @@ template <class Num, class Wide>
 typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::fit_single(const Model& model, const SolverStep& step,
                                                                 const RigidTransform<Num>& F,
                                                                 const Pass& pass) const noexcept {
-  const Num zero(0), one(1);
+  const Num zero(0), one(1), least(Real(1e-15f));  // with no weight at all the sums are zero and the joint stays
   const SolverJoint<Real>& j = model.joints[step.joint];
   const PointMoments<Num>& moments = joints_[step.joint].carried;
   const JointValue<Num>& present = joints_[step.joint].value;
-  const Mask weighs = moments.weight > zero;
-  const Num per_weight = one / select(weighs, moments.weight, one);
-  if (j.prismatic) return within_limits(j, j.value(select(weighs, fit_shift(moments, F) * per_weight, present.q)));
-
-  const Num hold = Num(Real(kHold)) * (moments.p.x * moments.p.x + moments.p.y * moments.p.y) * per_weight;
-  const TurnFit<Num> fit = fit_turn(moments, F);
-  const Num across = fit.sine * present.cosine - fit.cosine * present.sine;
-  const Num along = max(fit.cosine * present.cosine + fit.sine * present.sine, zero) + hold;
-  Num sine = across, cosine = along;
-  if (pass.first) {
-    const PlaneDeformation<Num>& plane = plane_of(model, step.fingers.front());
-    const Num lead = Num(j.lead[0]) * plane.lead[0] + Num(j.lead[1]) * plane.lead[1];
-    sine = across + lead * along, cosine = along - lead * across;
+  if (j.prismatic) {
+    const Mask weighs = moments.weight > zero;
+    const Num shift = fit_shift(moments, F) / select(weighs, moments.weight, one);
+    return within_limits(j, j.value(select(weighs, shift, present.q)));
   }
-  const Num length = sqrt(sine * sine + cosine * cosine);
-  const Mask points = weighs & (length > zero);
-  const Num per_length = one / select(points, length, one);
-  const JointValue<Num> value{present.q + atan2(sine, cosine),
-                              (present.cosine * cosine - present.sine * sine) * per_length,
-                              (present.cosine * sine + present.sine * cosine) * per_length};
-  return within_limits(j, choose(points, value, present));
+  const Num arms = moments.p.x * moments.p.x + moments.p.y * moments.p.y;
+  const Num hold = Num(Real(kHold)) * arms / (moments.weight + least * least) + least;
+  const TurnFit<Num> fit = fit_turn(moments, F);
+  const Num along = max(fit.cosine * present.cosine + fit.sine * present.sine, zero) + hold;
+  Num across = fit.sine * present.cosine - fit.cosine * present.sine;
+  if (pass.first) {
+    const PlaneDeformation<Num>& plane = plane_of(model, step.first_finger);
+    across += (Num(j.lead[0]) * plane.lead[0] + Num(j.lead[1]) * plane.lead[1]) * along;
+  }
+  const Num per_length = one / sqrt(across * across + along * along);
+  return within_limits(j, {present.q + atan2_in_front(across, along),
+                           (present.cosine * along - present.sine * across) * per_length,
+                           (present.cosine * across + present.sine * along) * per_length});
 }
 
 // Joints coupled by mimics have no closed form: Newton's method follows the descent from the present value to the first

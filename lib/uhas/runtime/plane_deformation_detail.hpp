@@ -18,7 +18,7 @@ inline constexpr std::array<double, kLeadInputs> kLeadAngles{std::numbers::pi / 
 template <class Num>
 Num lead_input(Num delta_r) {
   using Real = LaneReal<Num>;
-  constexpr Real bound{0.45f};  // radii; 0.3 to 0.6 fit alike
+  constexpr Real bound{0.6f};  // radii; 0.45 to 0.8 fit alike
   const Num d = clamp(delta_r, Num(-bound), Num(bound));
   return d - d * d * d * Num(1 / (3 * bound * bound));
 }
@@ -64,7 +64,8 @@ struct PlaneDeformation : RadialProfile<Num> {
 
   /// All that follows from vectors, angles and displacements.
   /// @param held_toward_pole  constant before the first vector
-  void complete(bool held_toward_pole) {
+  /// @param default_angles    `phi` are pi j / (V + 1)
+  void complete(bool held_toward_pole, bool default_angles) {
     this->find_slopes(held_toward_pole);
     lowest = this->delta_r[0];
     steepest = abs(this->slope[0]);
@@ -72,9 +73,10 @@ struct PlaneDeformation : RadialProfile<Num> {
       lowest = min(lowest, this->delta_r[j]);
       steepest = max(steepest, abs(this->slope[j]));
     }
+    const bool at_vectors = default_angles && this->vectors == kLeadInputs;
     using Real = LaneReal<Num>;
     for (int u = 0; u < kLeadInputs; ++u)
-      lead[u] = lead_input(this->at(Num(Real(kLeadAngles[u]))).delta_r);
+      lead[u] = lead_input(at_vectors ? this->delta_r[u] : this->at(Num(Real(kLeadAngles[u]))).delta_r);
   }
 };
 

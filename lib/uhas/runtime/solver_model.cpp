@@ -297,7 +297,7 @@ SolverModel<Real>::SolverModel(const HandProfile& profile, const SolveOptions& s
   for (const CascadeStep& step : plan_cascade(profile.tree, finger_joints, classes, q_open)) {
     if (step.driven.size() == 1 || step.fingers.size() == 1) step_at[step.driven.front()] = static_cast<int>(steps.size());
     const bool single = step.driven.size() == 1 && step.driven.front() == step.joint;
-    steps.push_back({step, single, nested_joints(step, profile.tree), scope_of(step, profile.tree)});
+    steps.push_back({step, step.fingers.front(), single, nested_joints(step, profile.tree), scope_of(step, profile.tree)});
   }
 
   for (const ProfileFinger& finger : profile.fingers) {

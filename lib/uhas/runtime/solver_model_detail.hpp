@@ -110,6 +110,7 @@ struct ScopedJoint {
 
 /// A step of the cascade and the joints whose frames depend on it.
 struct SolverStep : CascadeStep {
+  int first_finger{};                       ///< of `fingers`
   bool single{};                            ///< one joint, without followers
   std::vector<std::pair<int, int>> nested;  ///< driven turning joints of which the first carries the second
   std::vector<ScopedJoint> scope;  ///< driven joints and all joints further out, in tree order
@@ -133,7 +134,7 @@ struct SolverPass {
 };
 
 /// Share of the points' own weight that holds a joint at its present value (cascade_kernel_detail.hpp).
-inline constexpr double kHold = 0.6;
+inline constexpr double kHold = 0.5;
 
 template <class Real>
 struct SolverModel {

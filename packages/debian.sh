@@ -7,6 +7,7 @@ uhas_build_packages=(
   libassimp-dev libembree-dev nlohmann-json3-dev         # meshes, rays, hand configs
   libeigen3-dev                                          # axes of a palm's surface
   libmeshoptimizer-dev                                   # meshes for pictures
+  libfcl-dev                                             # self-collision
   libcli11-dev                                           # tools
 )
 

@@ -27,6 +27,7 @@ ROOMS = {
     "profile_builder": ["base", "profile", "runtime", "model", "anatomy", "sphere_frame", "classification", "wrap",
                         "lateral_tables", "correspondences"],
     "geometry": ["base", "profile", "model"],
+    "collision": ["base", "profile", "runtime", "model", "geometry"],
 }
 
 # The rooms that may include a library; every other library but C++'s and the system's own is for nobody in lib.
@@ -42,6 +43,7 @@ LIBRARIES = {
     "embree3": ["correspondences"],
     "embree4": ["correspondences"],
     "meshoptimizer": ["geometry"],
+    "fcl": ["collision"],
 }
 
 # What users of the runtime see: its public headers include C++'s own and each other, no library.

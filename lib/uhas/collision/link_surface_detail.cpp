@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "uhas/collision/pieces_detail.hpp"
-
 namespace uhas {
 namespace {
 
@@ -33,7 +31,7 @@ bool is_within(Vector3d p, Vector3d lower, Vector3d upper) {
 
 LinkSurface::LinkSurface(TriangleMesh mesh)
     : mesh_(std::move(mesh)),
-      pieces_(one_corner_a_piece(mesh_)),
+      pieces_(find_pieces(mesh_)),
       lower_(mesh_.vertices.front()),
       upper_(mesh_.vertices.front()) {
   std::vector<fcl::Vector3d> vertices;
@@ -60,9 +58,10 @@ bool LinkSurface::in_contact(const LinkSurface& other, const RigidTransformd& T)
 }
 
 bool LinkSurface::encloses_piece_of(const LinkSurface& other, const RigidTransformd& T) const {
-  return std::ranges::any_of(other.pieces_, [&](Vector3d corner) {
-    const Vector3d p = T * corner;
-    return is_within(p, lower_, upper_) && std::abs(winding_number(mesh_, p)) > 0.5;
+  const auto is_within_box = [&](Vector3d corner) { return is_within(T * corner, lower_, upper_); };
+  return std::ranges::any_of(other.pieces_, [&](const PieceExtremes& piece) {
+    // no triangles meet: where one corner is, the whole piece is
+    return std::ranges::all_of(piece, is_within_box) && std::abs(winding_number(mesh_, T * piece.front())) > 0.5;
   });
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "uhas/base/rigid_transform.hpp"
-#include "uhas/model/hand_model.hpp"
+#include "uhas/collision/pieces_detail.hpp"
 
 namespace uhas {
 
@@ -29,7 +29,7 @@ class LinkSurface {
   bool encloses_piece_of(const LinkSurface& other, const RigidTransformd& T) const;
 
   TriangleMesh mesh_;
-  std::vector<Vector3d> pieces_;           // a corner of each
+  std::vector<PieceExtremes> pieces_;
   Vector3d lower_, upper_;                 // bounding box
   Vector3d center_;                        // of the box and of a sphere about the mesh
   double radius_ = 0;                      // of that sphere

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <numbers>
 #include <numeric>
 #include <tuple>
@@ -27,7 +28,7 @@ class DisjointSets {
 
 }  // namespace
 
-std::vector<Vector3d> one_corner_a_piece(const TriangleMesh& mesh) {
+std::vector<PieceExtremes> find_pieces(const TriangleMesh& mesh) {
   const auto place = [&mesh](std::uint32_t vertex) {
     const Vector3d& p = mesh.vertices[vertex];
     return std::tuple(p.x, p.y, p.z);
@@ -36,18 +37,28 @@ std::vector<Vector3d> one_corner_a_piece(const TriangleMesh& mesh) {
   std::iota(by_place.begin(), by_place.end(), 0u);
   std::ranges::sort(by_place, {}, place);
 
-  DisjointSets pieces(mesh.vertices.size());
+  DisjointSets sets(mesh.vertices.size());
   for (std::size_t i = 1; i < by_place.size(); ++i)
-    if (place(by_place[i - 1]) == place(by_place[i])) pieces.join(by_place[i - 1], by_place[i]);
+    if (place(by_place[i - 1]) == place(by_place[i])) sets.join(by_place[i - 1], by_place[i]);
   for (const auto& [a, b, c] : mesh.triangles) {
-    pieces.join(a, b);
-    pieces.join(b, c);
+    sets.join(a, b);
+    sets.join(b, c);
   }
 
-  std::vector<Vector3d> corners;
-  for (std::uint32_t vertex = 0; vertex < mesh.vertices.size(); ++vertex)
-    if (pieces.root(vertex) == vertex) corners.push_back(mesh.vertices[vertex]);
-  return corners;
+  std::map<std::uint32_t, PieceExtremes> piece_of;  // root of its set
+  for (std::uint32_t vertex = 0; vertex < mesh.vertices.size(); ++vertex) {
+    const Vector3d& p = mesh.vertices[vertex];
+    PieceExtremes& extremes = piece_of.try_emplace(sets.root(vertex), PieceExtremes{p, p, p, p, p, p}).first->second;
+    if (p.x < extremes[0].x) extremes[0] = p;
+    if (p.x > extremes[1].x) extremes[1] = p;
+    if (p.y < extremes[2].y) extremes[2] = p;
+    if (p.y > extremes[3].y) extremes[3] = p;
+    if (p.z < extremes[4].z) extremes[4] = p;
+    if (p.z > extremes[5].z) extremes[5] = p;
+  }
+  std::vector<PieceExtremes> pieces;
+  for (const auto& [root, extremes] : piece_of) pieces.push_back(extremes);
+  return pieces;
 }
 
 double winding_number(const TriangleMesh& mesh, Vector3d p) {

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "common/actions.hpp"
+#include "common/collision_input.hpp"
 #include "common/json_lines.hpp"
 #include "common/output.hpp"
 #include "common/solution.hpp"
@@ -21,6 +22,8 @@ struct Options {
   std::optional<Closing> closing;
   SolveOptions solve;  // field and passes
   JointSelection joints;
+  bool collisions = false, avoid = false;
+  ModelInput model;
 
   /// With the rule and the closing that were asked for, else those of the convention: the option's, else the file's.
   SolveOptions solve_options(const SolveOptions& convention_of_file) const {
@@ -61,40 +64,62 @@ void add_options(CLI::App& app, Options& options) {
       ->allow_extra_args(false)
       ->option_text("A,B,C");
   app.add_flag("--actuated-only", options.joints.actuated_only, "Leave out joints that follow another one");
+  app.add_flag("--collisions", options.collisions, "State with each solution which links come nearest to each other, and how near");
+  app.add_flag("--avoid", options.avoid, "Scale back actions whose solution has the hand collide with itself");
+  add_model_options(app, options.model);
 }
+
+/// A profile and all that solves for its hand.
+class HandSolver {
+ public:
+  HandSolver(const Options& options, const std::string& profile_path, const SolveOptions& convention)
+      : file_{profile_path, read_profile(profile_path)} {
+    if (options.collisions || options.avoid) collision_.emplace(load_self_collision(file_, options.model));
+    maker_.emplace(file_.profile, options.solve_options(convention), options.joints,
+                   CollisionUse{collision_ ? &*collision_ : nullptr, options.collisions, options.avoid});
+  }
+
+  const std::string& hand() const { return file_.profile.hand; }
+  SolutionMaker& maker() { return *maker_; }
+
+ private:
+  ProfileFile file_;
+  std::optional<SelfCollision> collision_;
+  std::optional<SolutionMaker> maker_;
+};
 
 ExitCode solve_stream(const Tool& tool, const Options& options) {
   if (options.profile.empty()) throw Tool::wrong_usage("--profile", "needed when actions come from standard input");
   if (!options.output.empty()) throw Tool::wrong_usage("--output", "a stream of solutions goes to standard output");
-  const HandProfile profile = read_profile(options.profile);
-  SolutionMaker maker(profile, options.solve_options(kUhas), options.joints);
+  HandSolver solver(options, options.profile, kUhas);
   const std::size_t failed = answer_json_lines(std::cin, std::cout, [&](const std::string& line) {
     const std::vector<double> values = parse_action(line);
-    return maker.solve({.values = values}, "");
+    return solver.maker().solve({.values = values}, "");
   });
+  tool.warn(solver.maker().warnings());
   if (failed == 0) return ExitCode::done;
   tool.report_error("standard input: " + std::to_string(failed) +
                     " of the lines could not be solved; see \"error\" in the output");
   return ExitCode::run_failed;
 }
 
-ExitCode solve_file(const Options& options) {
+ExitCode solve_file(const Tool& tool, const Options& options) {
   const ActionsDocument document = read_actions(options.actions);
   const std::string profile_path = options.profile.empty() ? document.profile : options.profile;
   if (profile_path.empty())
     throw Tool::wrong_usage("--profile", "needed because " + options.actions + " does not name a hand profile");
-  const HandProfile profile = read_profile(profile_path);
-  SolutionMaker maker(profile, options.solve_options(document.convention), options.joints);
+  HandSolver solver(options, profile_path, document.convention);
 
   Json solutions = Json::array();
   for (std::size_t i = 0; i < document.actions.size(); ++i)
-    solutions.push_back(maker.solve(document.action(i), options.actions + ": action " + std::to_string(i)));
+    solutions.push_back(solver.maker().solve(document.action(i), options.actions + ": action " + std::to_string(i)));
 
   Json result = new_document("uhas-solution");
-  result["hand"] = profile.hand;
-  result["joint_names"] = maker.joint_names();
+  result["hand"] = solver.hand();
+  result["joint_names"] = solver.maker().joint_names();
   result["solutions"] = solutions;
   write_result(options.output, to_text(result));
+  tool.warn(solver.maker().warnings());
   return ExitCode::done;
 }
 
@@ -102,7 +127,9 @@ ExitCode run(Tool& tool) {
   Options options;
   add_options(tool.options(), options);
   tool.parse();
-  return options.actions == "-" ? solve_stream(tool, options) : solve_file(options);
+  if (!options.model.urdfs.empty() && !options.collisions && !options.avoid)
+    throw Tool::wrong_usage("--urdf", "needs --collisions or --avoid");
+  return options.actions == "-" ? solve_stream(tool, options) : solve_file(tool, options);
 }
 
 }  // namespace

@@ -70,6 +70,7 @@ std::vector<double> random_pose(std::mt19937_64& random) {
 }  // namespace
 
 TEST_CASE("what is left out as touching is in contact nearly always") {
+  if (std::ranges::none_of(collision().pairs(), [](const LinkPair& pair) { return pair.use == PairUse::touching; })) return;
   std::mt19937_64 random(5);
   std::vector<int> contacts(collision().pairs().size());
   for (int i = 0; i < kPosesTouching; ++i) {

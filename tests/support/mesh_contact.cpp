@@ -15,10 +15,10 @@ Box joined(const Box& a, const Box& b) {
 
 Box box_of(const Corners& t) { return joined({t[0], t[0]}, joined({t[1], t[1]}, {t[2], t[2]})); }
 
-double gap(const Box& a, const Box& b) {
-  const auto along = [](double al, double au, double bl, double bu) { return std::max({0.0, bl - au, al - bu}); };
-  return norm(Vector3d{along(a.lower.x, a.upper.x, b.lower.x, b.upper.x), along(a.lower.y, a.upper.y, b.lower.y, b.upper.y),
-                       along(a.lower.z, a.upper.z, b.lower.z, b.upper.z)});
+/// Whether the boxes come within `reach` of each other along each axis.
+bool within(const Box& a, const Box& b, double reach) {
+  return a.lower.x <= b.upper.x + reach && b.lower.x <= a.upper.x + reach && a.lower.y <= b.upper.y + reach &&
+         b.lower.y <= a.upper.y + reach && a.lower.z <= b.upper.z + reach && b.lower.z <= a.upper.z + reach;
 }
 
 /// Of the point `p` from the segment from `a` to `b`.
@@ -73,7 +73,7 @@ bool triangles_cross(const Corners& a, const Corners& b) {
 /// Those of `mesh` that come within `reach` of `box`, by their least x.
 std::vector<BoxedTriangle> near_to(const PlacedMesh& mesh, const Box& box, double reach) {
   std::vector<BoxedTriangle> result;
-  std::ranges::copy_if(mesh.triangles, std::back_inserter(result), [&](const auto& t) { return gap(t.box, box) <= reach; });
+  std::ranges::copy_if(mesh.triangles, std::back_inserter(result), [&](const auto& t) { return within(t.box, box, reach); });
   std::ranges::sort(result, {}, [](const auto& t) { return t.box.lower.x; });
   return result;
 }
@@ -81,20 +81,21 @@ std::vector<BoxedTriangle> near_to(const PlacedMesh& mesh, const Box& box, doubl
 /// Calls `visit(s, t)` for triangles of `a` and `b` whose boxes come within `reach` of each other; it may lessen `reach`.
 template <class Visit>
 void for_near_pairs(const PlacedMesh& a, const PlacedMesh& b, double& reach, const Visit& visit) {
-  if (gap(a.box, b.box) > reach) return;
+  if (!within(a.box, b.box, reach)) return;
   const std::vector<BoxedTriangle> near_a = near_to(a, b.box, reach), near_b = near_to(b, a.box, reach);
   double widest = 0;  // of b, along x
   for (const BoxedTriangle& t : near_b) widest = std::max(widest, t.box.upper.x - t.box.lower.x);
   for (const BoxedTriangle& s : near_a) {
     auto t = std::ranges::lower_bound(near_b, s.box.lower.x - widest - reach, {}, [](const auto& e) { return e.box.lower.x; });
     for (; t != near_b.end() && t->box.lower.x <= s.box.upper.x + reach; ++t)
-      if (gap(s.box, t->box) <= reach) visit(s.corners, t->corners);
+      if (within(s.box, t->box, reach)) visit(s.corners, t->corners);
   }
 }
 
 }  // namespace
 
 PlacedMesh::PlacedMesh(const TriangleMesh& mesh, const RigidTransformd& T) {
+  triangles.reserve(mesh.triangles.size());
   for (const auto& [a, b, c] : mesh.triangles) {
     const Corners corners{T * mesh.vertices[a], T * mesh.vertices[b], T * mesh.vertices[c]};
     triangles.push_back({corners, box_of(corners)});

@@ -28,6 +28,7 @@ ROOMS = {
                         "lateral_tables", "correspondences"],
     "geometry": ["base", "profile", "model"],
     "collision": ["base", "profile", "runtime", "model", "geometry"],
+    "report": ["base", "profile", "runtime", "model", "geometry"],
 }
 
 # The rooms that may include a library; every other library but C++'s and the system's own is for nobody in lib.
@@ -38,7 +39,7 @@ LIBRARIES = {
     "urdf_model": ["model"],
     "tinyxml": ["model"],
     "console_bridge": ["model"],
-    "assimp": ["model"],
+    "assimp": ["model", "report"],
     "nlohmann": ["model", "anatomy", "profile_builder"],
     "embree3": ["correspondences"],
     "embree4": ["correspondences"],

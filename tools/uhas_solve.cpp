@@ -64,7 +64,8 @@ void add_options(CLI::App& app, Options& options) {
       ->allow_extra_args(false)
       ->option_text("A,B,C");
   app.add_flag("--actuated-only", options.joints.actuated_only, "Leave out joints that follow another one");
-  app.add_flag("--collisions", options.collisions, "State with each solution which links come nearest to each other, and how near");
+  app.add_flag("--collisions", options.collisions,
+               "State with each solution which links come nearest to each other, and how near");
   app.add_flag("--avoid", options.avoid, "Scale back actions whose solution has the hand collide with itself");
   add_model_options(app, options.model);
 }

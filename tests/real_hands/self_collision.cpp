@@ -1,4 +1,5 @@
-// Self-collision, judged without FCL: triangle by triangle, every pair of links that does not hold together (design 3.11).
+// Self-collision, judged without FCL: triangle by triangle, every pair of links that does not hold together
+// (design 3.11).
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -33,14 +34,11 @@ const SelfCollision& collision() {
 /// The links of the hand at `q`; null for one without geometry.
 std::vector<std::unique_ptr<PlacedMesh>> place_links(const std::vector<double>& q) {
   const HandProfile& profile = real_profile();
-  std::vector<RigidTransformd> T_palm_joint(q.size());
-  forward_kinematics(profile.tree, q, T_palm_joint);
+  const std::vector<RigidTransformd> T_palm_link = link_poses(profile.tree, profile.links, q);
   std::vector<std::unique_ptr<PlacedMesh>> result(profile.links.size());
-  for (std::size_t i = 0; i < profile.links.size(); ++i) {
-    const ProfileLink& link = profile.links[i];
-    const RigidTransformd T = link.joint < 0 ? link.T_joint_link : T_palm_joint[link.joint] * link.T_joint_link;
-    if (!geometry().links[i].triangles.empty()) result[i] = std::make_unique<PlacedMesh>(geometry().links[i], T);
-  }
+  for (std::size_t i = 0; i < result.size(); ++i)
+    if (const TriangleMesh& mesh = geometry().links[i]; !mesh.triangles.empty())
+      result[i] = std::make_unique<PlacedMesh>(mesh, T_palm_link[i]);
   return result;
 }
 
@@ -48,7 +46,8 @@ std::vector<std::unique_ptr<PlacedMesh>> place_links(const std::vector<double>& 
 std::string meeting_links(const std::vector<double>& q) {
   const auto links = place_links(q);
   for (const LinkPair& pair : collision().pairs())
-    if (pair.use != PairUse::adjacent && pair.use != PairUse::touching && meshes_cross(*links[pair.first], *links[pair.second]))
+    if (pair.use != PairUse::adjacent && pair.use != PairUse::touching &&
+        meshes_cross(*links[pair.first], *links[pair.second]))
       return real_profile().links[pair.first].name + " and " + real_profile().links[pair.second].name;
   return {};
 }
@@ -70,7 +69,8 @@ std::vector<double> random_pose(std::mt19937_64& random) {
 }  // namespace
 
 TEST_CASE("what is left out as touching is in contact nearly always") {
-  if (std::ranges::none_of(collision().pairs(), [](const LinkPair& pair) { return pair.use == PairUse::touching; })) return;
+  if (std::ranges::none_of(collision().pairs(), [](const LinkPair& pair) { return pair.use == PairUse::touching; }))
+    return;
   std::mt19937_64 random(5);
   std::vector<int> contacts(collision().pairs().size());
   for (int i = 0; i < kPosesTouching; ++i) {
@@ -84,7 +84,8 @@ TEST_CASE("what is left out as touching is in contact nearly always") {
     if (collision().pairs()[k].use == PairUse::touching) CHECK(contacts[k] >= 0.75 * kPosesTouching);
 }
 
-TEST_CASE("avoiding leaves no self-collision wherever the undeformed hand has none; the nearest links are the nearest") {
+TEST_CASE(
+    "avoiding leaves no self-collision wherever the undeformed hand has none; the nearest links are the nearest") {
   const HandProfile& profile = real_profile();
   const std::string undeformed = meeting_links(undeformed_pose());
   CHECK(collision().collides(undeformed_pose()) == !undeformed.empty());
@@ -127,5 +128,6 @@ TEST_CASE("avoiding leaves no self-collision wherever the undeformed hand has no
   }
   CHECK(colliding > 0);
   std::cout << real_hand().name << ": " << colliding << " of " << kActions << " actions collide"
-            << (undeformed.empty() ? ", least scale " + std::to_string(least_scale) : ", undeformed too: " + undeformed) << '\n';
+            << (undeformed.empty() ? ", least scale " + std::to_string(least_scale) : ", undeformed too: " + undeformed)
+            << '\n';
 }

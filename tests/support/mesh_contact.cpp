@@ -54,8 +54,8 @@ double segments_distance(Vector3d a0, Vector3d a1, Vector3d b0, Vector3d b1) {
   return least;
 }
 
-/// Whether the segment from `a` to `b` meets the triangle: its ends lie on either side of the plane, and its line passes all three
-/// edges on one side.
+/// Whether the segment from `a` to `b` meets the triangle: its ends lie on either side of the plane, and its line
+/// passes all three edges on one side.
 bool crosses(Vector3d a, Vector3d b, const Corners& t) {
   const auto volume = [](Vector3d p, Vector3d q, Vector3d r, Vector3d s) { return dot(cross(q - p, r - p), s - p); };
   const double side_a = volume(t[0], t[1], t[2], a), side_b = volume(t[0], t[1], t[2], b);
@@ -73,12 +73,14 @@ bool triangles_cross(const Corners& a, const Corners& b) {
 /// Those of `mesh` that come within `reach` of `box`, by their least x.
 std::vector<BoxedTriangle> near_to(const PlacedMesh& mesh, const Box& box, double reach) {
   std::vector<BoxedTriangle> result;
-  std::ranges::copy_if(mesh.triangles, std::back_inserter(result), [&](const auto& t) { return within(t.box, box, reach); });
+  std::ranges::copy_if(mesh.triangles, std::back_inserter(result),
+                       [&](const auto& t) { return within(t.box, box, reach); });
   std::ranges::sort(result, {}, [](const auto& t) { return t.box.lower.x; });
   return result;
 }
 
-/// Calls `visit(s, t)` for triangles of `a` and `b` whose boxes come within `reach` of each other; it may lessen `reach`.
+/// Calls `visit(s, t)` for triangles of `a` and `b` whose boxes come within `reach` of each other; it may lessen
+/// `reach`.
 template <class Visit>
 void for_near_pairs(const PlacedMesh& a, const PlacedMesh& b, double& reach, const Visit& visit) {
   if (!within(a.box, b.box, reach)) return;
@@ -86,7 +88,8 @@ void for_near_pairs(const PlacedMesh& a, const PlacedMesh& b, double& reach, con
   double widest = 0;  // of b, along x
   for (const BoxedTriangle& t : near_b) widest = std::max(widest, t.box.upper.x - t.box.lower.x);
   for (const BoxedTriangle& s : near_a) {
-    auto t = std::ranges::lower_bound(near_b, s.box.lower.x - widest - reach, {}, [](const auto& e) { return e.box.lower.x; });
+    auto t = std::ranges::lower_bound(near_b, s.box.lower.x - widest - reach, {},
+                                      [](const auto& e) { return e.box.lower.x; });
     for (; t != near_b.end() && t->box.lower.x <= s.box.upper.x + reach; ++t)
       if (within(s.box, t->box, reach)) visit(s.corners, t->corners);
   }
@@ -108,14 +111,14 @@ double triangle_distance(const Corners& a, const Corners& b) {
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i) {
     least = std::min({least, point_distance(a[i], b), point_distance(b[i], a)});
-    for (int j = 0; j < 3; ++j)
-      least = std::min(least, segments_distance(a[i], a[(i + 1) % 3], b[j], b[(j + 1) % 3]));
+    for (int j = 0; j < 3; ++j) least = std::min(least, segments_distance(a[i], a[(i + 1) % 3], b[j], b[(j + 1) % 3]));
   }
   return least;
 }
 
 double mesh_distance(const PlacedMesh& a, const PlacedMesh& b, double limit) {
-  for_near_pairs(a, b, limit, [&](const Corners& s, const Corners& t) { limit = std::min(limit, triangle_distance(s, t)); });
+  for_near_pairs(a, b, limit,
+                 [&](const Corners& s, const Corners& t) { limit = std::min(limit, triangle_distance(s, t)); });
   return limit;
 }
 

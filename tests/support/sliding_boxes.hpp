@@ -1,5 +1,5 @@
-// Hands of boxes on slides, whose distances are known by construction: every joint slides along x from the palm, by default
-// half a metre either way, and its link's frame is at x = q.
+// Hands of boxes on slides, whose distances are known by construction: every joint slides along x from the palm, by
+// default half a metre either way, and its link's frame is at x = q.
 #pragma once
 
 #include <string>
@@ -13,8 +13,8 @@ namespace uhas::test {
 inline TriangleMesh make_box(Vector3d center, Vector3d size) {
   TriangleMesh mesh;
   for (unsigned i = 0; i < 8; ++i)
-    mesh.vertices.push_back(center + Vector3d{(i & 1 ? 0.5 : -0.5) * size.x, (i & 2 ? 0.5 : -0.5) * size.y,
-                                              (i & 4 ? 0.5 : -0.5) * size.z});
+    mesh.vertices.push_back(
+        center + Vector3d{(i & 1 ? 0.5 : -0.5) * size.x, (i & 2 ? 0.5 : -0.5) * size.y, (i & 4 ? 0.5 : -0.5) * size.z});
   mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
                     {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
   return mesh;
@@ -38,7 +38,8 @@ struct SlidingBoxes {
   HandProfile profile;
   HandGeometry geometry;
 
-  /// A link that slides on joint `parent`, -1 = the palm; returns its joint. `q_rest`: its value in the three poses of the profile.
+  /// A link that slides on joint `parent`, -1 = the palm; returns its joint. `q_rest`: its value in the three poses of
+  /// the profile.
   int add(const TriangleMesh& mesh, double q_rest, int parent = -1, double lower = -0.5, double upper = 0.5) {
     Joint joint;
     joint.name = "slide_" + std::to_string(profile.tree.joints.size());

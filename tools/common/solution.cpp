@@ -78,11 +78,13 @@ Json SolutionMaker::solve(const Action<double>& action, const std::string& place
 }
 
 std::vector<std::string> SolutionMaker::warnings() const {
-  const auto share = [this](std::size_t count) { return std::to_string(count) + " of " + std::to_string(solved_) + " actions "; };
+  const auto share = [this](std::size_t count) {
+    return std::to_string(count) + " of " + std::to_string(solved_) + " actions";
+  };
   std::vector<std::string> warnings;
-  if (scaled_ > 0) warnings.push_back(share(scaled_) + "scaled back because the hand would collide with itself");
+  if (scaled_ > 0) warnings.push_back("scaled back " + share(scaled_) + ": the hand would collide with itself");
   if (colliding_ > 0)
-    warnings.push_back(share(colliding_) + "left colliding because the hand collides on the undeformed sphere too");
+    warnings.push_back("left " + share(colliding_) + " colliding: the hand collides on the undeformed sphere too");
   return warnings;
 }
 

@@ -22,8 +22,8 @@ class ActionWay {
     }
   }
 
-  /// Sets the way's end, held within the bounds of its numbers: beyond them nothing moves. `action` is one that can be solved,
-  /// and stays alive as long as `at` is called.
+  /// Sets the way's end, held within the bounds of its numbers: beyond them nothing moves. `action` is one that can be
+  /// solved, and stays alive as long as `at` is called.
   void lead_to(const Action<double>& action) {
     action_ = action;
     const bool own_bounds = !action.radial_bounds.empty();

@@ -41,7 +41,8 @@ CollisionFreeSolver::CollisionFreeSolver(const HandProfile& profile, const Solve
 CollisionFreeSolver::CollisionFreeSolver(CollisionFreeSolver&&) noexcept = default;
 CollisionFreeSolver::~CollisionFreeSolver() = default;
 
-CollisionFreeSolution CollisionFreeSolver::solve(const Action<double>& action, std::span<double> q, SolveReport& report) {
+CollisionFreeSolution CollisionFreeSolver::solve(const Action<double>& action, std::span<double> q,
+                                                 SolveReport& report) {
   CollisionFreeSolution result;
   result.status = search_->solver.solve(action, q, report);
   if (result.status != Status::ok) return result;

@@ -9,8 +9,8 @@
 namespace uhas {
 namespace {
 
-// FCL 0.7 takes a triangle whose doubled area is under 3e-8 for degenerate and then finds wrong distances to its face: in metres
-// that is one of a quarter of a millimetre, in millimetres none that a mesh has.
+// FCL 0.7 takes a triangle whose doubled area is under 3e-8 for degenerate and then finds wrong distances to its face:
+// in metres that is one of a quarter of a millimetre, in millimetres none that a mesh has.
 constexpr double kPerMetre = 1000;
 
 fcl::Vector3d fcl_vector(Vector3d p) { return kPerMetre * fcl::Vector3d(p.x, p.y, p.z); }
@@ -53,7 +53,8 @@ LinkSurface::LinkSurface(TriangleMesh mesh)
 bool LinkSurface::in_contact(const LinkSurface& other, const RigidTransformd& T) const {
   if (norm(T * other.center_ - center_) > radius_ + other.radius_) return false;
   fcl::CollisionResultd result;
-  fcl::collide(&triangles_, fcl::Transform3d::Identity(), &other.triangles_, fcl_transform(T), fcl::CollisionRequestd(), result);
+  fcl::collide(&triangles_, fcl::Transform3d::Identity(), &other.triangles_, fcl_transform(T), fcl::CollisionRequestd(),
+               result);
   return result.isCollision() || encloses_piece_of(other, T) || other.encloses_piece_of(*this, T.inverse());
 }
 
@@ -72,7 +73,8 @@ double LinkSurface::least_possible_distance(const LinkSurface& other, const Rigi
 
 double LinkSurface::distance(const LinkSurface& other, const RigidTransformd& T, double limit) const {
   fcl::DistanceResultd result(kPerMetre * limit);
-  fcl::distance(&triangles_, fcl::Transform3d::Identity(), &other.triangles_, fcl_transform(T), fcl::DistanceRequestd(), result);
+  fcl::distance(&triangles_, fcl::Transform3d::Identity(), &other.triangles_, fcl_transform(T), fcl::DistanceRequestd(),
+                result);
   return std::min(limit, result.min_distance / kPerMetre);
 }
 

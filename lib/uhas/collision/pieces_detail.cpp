@@ -64,7 +64,8 @@ std::vector<PieceExtremes> find_pieces(const TriangleMesh& mesh) {
 double winding_number(const TriangleMesh& mesh, Vector3d p) {
   double half_angles = 0;
   for (const auto& triangle : mesh.triangles) {
-    const Vector3d a = mesh.vertices[triangle[0]] - p, b = mesh.vertices[triangle[1]] - p, c = mesh.vertices[triangle[2]] - p;
+    const Vector3d a = mesh.vertices[triangle[0]] - p, b = mesh.vertices[triangle[1]] - p,
+                   c = mesh.vertices[triangle[2]] - p;
     const double la = norm(a), lb = norm(b), lc = norm(c);
     // tan of half the solid angle (van Oosterom and Strackee, 1983)
     half_angles += std::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);

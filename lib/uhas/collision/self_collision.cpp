@@ -14,6 +14,8 @@
 namespace uhas {
 namespace {
 
+using Poses = std::vector<RigidTransformd>;  // T_palm_link[link]
+
 void check(const HandProfile& profile, const HandGeometry& geometry, const SelfCollisionOptions& options) {
   const auto require = [](bool holds, const char* problem) {
     if (!holds) throw Error(ErrorCode::invalid_option, "", problem, "");
@@ -23,8 +25,8 @@ void check(const HandProfile& profile, const HandGeometry& geometry, const SelfC
   require(options.touching_share > 0 && options.touching_share <= 1, "touching_share must lie in (0, 1]");
 }
 
-/// Poses that tell the uses of pairs: those of the profile, then random ones, every other one with a third of its joints at
-/// each end of its range, where most contacts are.
+/// Poses that tell the uses of pairs: those of the profile, then random ones, every other one with a third of its
+/// joints at each end of its range, where most contacts are.
 class PoseSample {
  public:
   PoseSample(const HandProfile& profile, const SelfCollisionOptions& options)
@@ -66,23 +68,21 @@ struct SelfCollision::Hand {
   std::vector<std::optional<LinkSurface>> surfaces;  // [link]
   std::vector<LinkPair> pairs;
 
-  std::vector<RigidTransformd> place_links(std::span<const double> q) const {
-    std::vector<RigidTransformd> T_palm_joint(tree.joints.size()), T_palm_link;
-    forward_kinematics(tree, q, T_palm_joint);
-    for (const ProfileLink& link : links)
-      T_palm_link.push_back(link.joint < 0 ? link.T_joint_link : T_palm_joint[link.joint] * link.T_joint_link);
-    return T_palm_link;
+  Poses place_links(std::span<const double> q) const { return link_poses(tree, links, q); }
+
+  /// The second link's frame in that of the first.
+  static RigidTransformd relative_pose(const LinkPair& pair, const Poses& T_palm_link) {
+    return T_palm_link[pair.first].inverse() * T_palm_link[pair.second];
   }
 
-  bool in_contact(const LinkPair& pair, const std::vector<RigidTransformd>& T_palm_link) const {
-    return surfaces[pair.first]->in_contact(*surfaces[pair.second],
-                                            T_palm_link[pair.first].inverse() * T_palm_link[pair.second]);
+  bool in_contact(const LinkPair& pair, const Poses& T_palm_link) const {
+    return surfaces[pair.first]->in_contact(*surfaces[pair.second], relative_pose(pair, T_palm_link));
   }
 
   static bool matters(const LinkPair& pair) { return pair.use == PairUse::checked || pair.use == PairUse::apart; }
 
   /// Index of the first pair from `begin` on that matters and is in contact; that past the last when there is none.
-  std::size_t next_contact(const std::vector<RigidTransformd>& T_palm_link, std::size_t begin = 0) const {
+  std::size_t next_contact(const Poses& T_palm_link, std::size_t begin = 0) const {
     while (begin < pairs.size() && !(matters(pairs[begin]) && in_contact(pairs[begin], T_palm_link))) ++begin;
     return begin;
   }
@@ -91,7 +91,7 @@ struct SelfCollision::Hand {
     std::vector<int> contacts(pairs.size()), asked(pairs.size());
     const int most_apart = static_cast<int>((1 - touching_share) * sample.size());  // of a pair that is still touching
     for (int i = 0; i < sample.size(); ++i) {
-      const std::vector<RigidTransformd> T_palm_link = place_links(sample.pose(i));
+      const Poses T_palm_link = place_links(sample.pose(i));
       for (std::size_t k = 0; k < pairs.size(); ++k) {
         if (pairs[k].use == PairUse::adjacent) continue;
         if (contacts[k] > 0 && asked[k] - contacts[k] > most_apart) continue;  // known to be checked
@@ -109,7 +109,8 @@ struct SelfCollision::Hand {
   }
 };
 
-SelfCollision::SelfCollision(const HandProfile& profile, const HandGeometry& geometry, const SelfCollisionOptions& options) {
+SelfCollision::SelfCollision(const HandProfile& profile, const HandGeometry& geometry,
+                             const SelfCollisionOptions& options) {
   check(profile, geometry, options);
   auto hand = std::make_unique<Hand>();
   hand->tree = profile.tree;
@@ -131,7 +132,8 @@ SelfCollision::SelfCollision(const HandProfile& profile, const HandGeometry& geo
   for (int first = 0; first < count; ++first)
     for (int second = first + 1; second < count; ++second)
       if (has_geometry[first] && has_geometry[second])
-        hand->pairs.push_back({first, second, adjacency.adjacent(first, second) ? PairUse::adjacent : PairUse::checked});
+        hand->pairs.push_back(
+            {first, second, adjacency.adjacent(first, second) ? PairUse::adjacent : PairUse::checked});
   hand->find_uses(PoseSample(profile, options), options.touching_share);
   hand_ = std::move(hand);
 }
@@ -149,15 +151,16 @@ bool SelfCollision::collides(std::span<const double> q) const {
 }
 
 std::vector<int> SelfCollision::colliding_pairs(std::span<const double> q) const {
-  const std::vector<RigidTransformd> T_palm_link = hand_->place_links(q);
+  const Poses T_palm_link = hand_->place_links(q);
   std::vector<int> found;
-  for (std::size_t k = hand_->next_contact(T_palm_link); k < hand_->pairs.size(); k = hand_->next_contact(T_palm_link, k + 1))
+  for (std::size_t k = hand_->next_contact(T_palm_link); k < hand_->pairs.size();
+       k = hand_->next_contact(T_palm_link, k + 1))
     found.push_back(static_cast<int>(k));
   return found;
 }
 
 NearestLinks SelfCollision::nearest(std::span<const double> q) const {
-  const std::vector<RigidTransformd> T_palm_link = hand_->place_links(q);
+  const Poses T_palm_link = hand_->place_links(q);
   if (const std::size_t k = hand_->next_contact(T_palm_link); k < hand_->pairs.size())
     return {0, hand_->pairs[k].first, hand_->pairs[k].second, true};
 
@@ -170,8 +173,9 @@ NearestLinks SelfCollision::nearest(std::span<const double> q) const {
   std::vector<Candidate> candidates;
   for (const LinkPair& pair : hand_->pairs) {
     if (pair.use != PairUse::checked) continue;
-    const RigidTransformd T = T_palm_link[pair.first].inverse() * T_palm_link[pair.second];
-    candidates.push_back({hand_->surfaces[pair.first]->least_possible_distance(*hand_->surfaces[pair.second], T), &pair, T});
+    const RigidTransformd T = Hand::relative_pose(pair, T_palm_link);
+    candidates.push_back(
+        {hand_->surfaces[pair.first]->least_possible_distance(*hand_->surfaces[pair.second], T), &pair, T});
   }
   std::ranges::stable_sort(candidates, {}, &Candidate::least_distance);
 

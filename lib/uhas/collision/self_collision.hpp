@@ -33,23 +33,25 @@ struct LinkPair {
 };
 
 struct SelfCollisionOptions {
-  int samples = 1000;             ///< poses drawn, besides q_open, q_sphere and q_closed, to tell the uses of pairs
-  std::uint64_t seed = 1;         ///< of those poses
-  double touching_share = 0.9;    ///< in (0, 1]
-  std::size_t max_triangles = 500'000;  ///< of the whole hand; a hand with more is simplified to that (half a kB a triangle)
+  int samples = 1000;           ///< poses drawn, besides q_open, q_sphere and q_closed, to tell the uses of pairs
+  std::uint64_t seed = 1;       ///< of those poses
+  double touching_share = 0.9;  ///< in (0, 1]
+  std::size_t max_triangles =
+      500'000;  ///< of the whole hand; a hand with more is simplified to that (half a kB a triangle)
 };
 
 /// The two links that come nearest to each other.
 struct NearestLinks {
-  double distance = std::numeric_limits<double>::infinity();  ///< m; 0 in contact: how deep is not told. Infinite when no pair is checked
+  double distance = std::numeric_limits<double>::infinity();  ///< m; 0 in contact: how deep is not told. Infinite when
+                                                              ///< no pair is checked
   int first = -1, second = -1;  ///< indices into `HandProfile::links`, first < second; -1 when no pair is checked
   bool colliding = false;
 };
 
 /// The surfaces of a hand, ready to be posed. Immutable: one serves any number of threads.
 ///
-/// Two links are in contact when their surfaces meet, or when one holds a whole piece of the other inside. Distances are those
-/// of the meshes, not of convex hulls, which fill the hollow of a palm.
+/// Two links are in contact when their surfaces meet, or when one holds a whole piece of the other inside. Distances
+/// are those of the meshes, not of convex hulls, which fill the hollow of a palm.
 class SelfCollision {
  public:
   /// `geometry`: one mesh a link of `profile`. Throws Error(invalid_option) for options out of range.
@@ -61,7 +63,8 @@ class SelfCollision {
   /// Every pair of links with geometry, ordered by `first`, then `second`.
   std::span<const LinkPair> pairs() const noexcept;
 
-  /// Length of `q` below: every joint of the profile, in its order, mimic followers included (rad; m for prismatic joints).
+  /// Length of `q` below: every joint of the profile, in its order, mimic followers included (rad; m for prismatic
+  /// joints).
   int joint_count() const noexcept;
 
   /// Whether any pair that is checked or apart is in contact at `q`.

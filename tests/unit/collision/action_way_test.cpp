@@ -1,5 +1,3 @@
-#include "uhas/collision/action_way_detail.hpp"
-
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -7,6 +5,7 @@
 
 #include "support/random_action.hpp"
 #include "support/small_profile.hpp"
+#include "uhas/collision/action_way_detail.hpp"
 #include "uhas/runtime/cascade_solver.hpp"
 
 using namespace uhas;
@@ -33,9 +32,9 @@ TEST_CASE("the way leads from the undeformed hand to the action, in every conven
   std::mt19937_64 random(1);
   for (const SolveOptions& options : {kUhas, kUhasSim}) {
     ActionWay way(profile, options.convention);
-    const std::vector<double> at_rest = options.rule == Rule::contact
-                                            ? solve(profile, {.rule = Rule::contact}, {.values = std::vector<double>(15, 0.0)})
-                                            : undeformed;
+    const std::vector<double> at_rest = options.rule == Rule::contact ? solve(profile, {.rule = Rule::contact},
+                                                                              {.values = std::vector<double>(15, 0.0)})
+                                                                      : undeformed;
     for (const bool normalized : {false, true}) {
       for (const double size : {0.5, 5.0}) {  // within and beyond the bounds
         CAPTURE(options.convention.absolute_radii);

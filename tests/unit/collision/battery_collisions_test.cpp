@@ -14,12 +14,12 @@ TEST_CASE("poses in self-collision are counted, by pair too, for any number of t
   SlidingBoxes hand;
   for (int i = 0; i < 3; ++i) hand.add(cube, 0.1 * i);
   const SelfCollision collision(hand.profile, hand.geometry);
-  const std::vector<double> poses{0, 0.1, 0.25,    // free, 80 mm
+  const std::vector<double> poses{0, 0.1,  0.25,   // free, 80 mm
                                   0, 0.01, 0.2,    // 0 and 1
-                                  0, 0.1, 0.11,    // 1 and 2
+                                  0, 0.1,  0.11,   // 1 and 2
                                   0, 0.01, 0.015,  // all
                                   0, 0.05, 0.2,    // free, 30 mm
-                                  0, 0.1, 0.09};   // 1 and 2
+                                  0, 0.1,  0.09};  // 1 and 2
   for (const int threads : {1, 2, 5}) {
     CAPTURE(threads);
     const BatteryCollisions battery = battery_collisions(collision, poses, threads);

@@ -45,16 +45,13 @@ std::vector<double> solve(const Hand& hand, const std::vector<double>& action) {
 }
 
 bool collides(const Hand& hand, const std::vector<double>& q) {
-  std::vector<RigidTransformd> T_palm_joint(q.size());
-  forward_kinematics(hand.profile.tree, q, T_palm_joint);
-  const auto placed = [&](int link) {
-    const ProfileLink& l = hand.profile.links[link];
-    return PlacedMesh(hand.geometry.links[link], l.joint < 0 ? l.T_joint_link : T_palm_joint[l.joint] * l.T_joint_link);
-  };
+  const std::vector<RigidTransformd> T_palm_link = link_poses(hand.profile.tree, hand.profile.links, q);
+  const auto placed = [&](int link) { return PlacedMesh(hand.geometry.links[link], T_palm_link[link]); };
   for (const LinkPair& pair : hand.collision.pairs()) {
     if (pair.use == PairUse::adjacent || pair.use == PairUse::touching) continue;
     const PlacedMesh a = placed(pair.first), b = placed(pair.second);
-    if (meshes_cross(a, b) || is_inside(a.triangles[0].corners[0], b) || is_inside(b.triangles[0].corners[0], a)) return true;
+    if (meshes_cross(a, b) || is_inside(a.triangles[0].corners[0], b) || is_inside(b.triangles[0].corners[0], a))
+      return true;
   }
   return false;
 }
@@ -107,7 +104,8 @@ TEST_CASE("what collides is scaled back to where it is about to, what is free is
     CHECK(scale < 1);
     CHECK_FALSE(collides(hand, q));
     CHECK(q == solve(hand, scaled(action, scale)));
-    for (int step = 0; step / 32.0 <= scale; ++step) CHECK_FALSE(collides(hand, solve(hand, scaled(action, step / 32.0))));
+    for (int step = 0; step / 32.0 <= scale; ++step)
+      CHECK_FALSE(collides(hand, solve(hand, scaled(action, step / 32.0))));
     CHECK(collides(hand, solve(hand, scaled(action, scale + 1 / 32768.0))));
   }
   CHECK(free > 5);

@@ -1,5 +1,3 @@
-#include "uhas/collision/link_surface_detail.hpp"
-
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -8,6 +6,7 @@
 
 #include "support/mesh_contact.hpp"
 #include "support/sliding_boxes.hpp"
+#include "uhas/collision/link_surface_detail.hpp"
 
 using namespace uhas;
 using namespace uhas::test;
@@ -92,7 +91,8 @@ TEST_CASE("distances and contacts of bumpy sheets are those of all pairs of tria
       const PlacedMesh all_a(a, {}), all_b(b, T);
       double expected = kNoLimit;
       for (const BoxedTriangle& s : all_a.triangles)
-        for (const BoxedTriangle& t : all_b.triangles) expected = std::min(expected, triangle_distance(s.corners, t.corners));
+        for (const BoxedTriangle& t : all_b.triangles)
+          expected = std::min(expected, triangle_distance(s.corners, t.corners));
       REQUIRE(mesh_distance(all_a, all_b, 1) == expected);
       REQUIRE(meshes_cross(all_a, all_b) == (expected == 0));
 

@@ -1,8 +1,7 @@
-#include "uhas/collision/pieces_detail.hpp"
-
 #include <doctest/doctest.h>
 
 #include "support/sliding_boxes.hpp"
+#include "uhas/collision/pieces_detail.hpp"
 
 using namespace uhas;
 using namespace uhas::test;

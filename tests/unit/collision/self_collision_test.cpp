@@ -48,7 +48,7 @@ TEST_CASE("links that hold together are left out, also across joints without geo
 
 TEST_CASE("what touches in nearly all poses is left out, what touches in none has no distance") {
   SlidingBoxes hand;
-  hand.add(kCube, 0, -1, -0.005, 0.005);                                    // 0
+  hand.add(kCube, 0, -1, -0.005, 0.005);                                       // 0
   hand.add(make_box({0.01, 0, 0}, {0.02, 0.02, 0.02}), 0, -1, -0.005, 0.005);  // 1: at most 20 mm from 0
   hand.add(make_box({0, 0.03, 0}, {0.02, 0.02, 0.02}), 0, -1, -0.005, 0.005);  // 2: 10 mm beside both
   hand.add(make_box({0.07, 0, 0}, {0.02, 0.02, 0.02}), 0, -1, -0.06, 0);       // 3
@@ -116,7 +116,9 @@ TEST_CASE("too many triangles are simplified, and no link is lost") {
 TEST_CASE("options and geometry that make no sense are refused") {
   SlidingBoxes hand;
   hand.add(kCube, 0);
-  const auto build = [&hand](const SelfCollisionOptions& options) { SelfCollision(hand.profile, hand.geometry, options); };
+  const auto build = [&hand](const SelfCollisionOptions& options) {
+    SelfCollision(hand.profile, hand.geometry, options);
+  };
   check_error(ErrorCode::invalid_option, "samples must not be negative", [&] { build({.samples = -1}); });
   check_error(ErrorCode::invalid_option, "touching_share must lie in (0, 1]", [&] { build({.touching_share = 0}); });
   hand.geometry.links.clear();

@@ -33,17 +33,18 @@ struct LinkPair {
 };
 
 struct SelfCollisionOptions {
-  int samples = 1000;           ///< poses drawn, besides q_open, q_sphere and q_closed, to tell the uses of pairs
-  std::uint64_t seed = 1;       ///< of those poses
-  double touching_share = 0.9;  ///< in (0, 1]
-  std::size_t max_triangles =
-      500'000;  ///< of the whole hand; a hand with more is simplified to that (half a kB a triangle)
+  int samples = 1000;      ///< poses drawn, besides q_open, q_sphere and q_closed, to tell the uses of pairs
+  std::uint64_t seed = 1;  ///< of those poses
+  /// In (0, 1]. On the hands known to us what overlaps by design touches in 95 % of the poses and more, all else in under half.
+  double touching_share = 0.9;
+  /// Of the whole hand; one with more is simplified to that. FCL takes half a kilobyte a triangle.
+  std::size_t max_triangles = 500'000;
 };
 
 /// The two links that come nearest to each other.
 struct NearestLinks {
-  double distance = std::numeric_limits<double>::infinity();  ///< m; 0 in contact: how deep is not told. Infinite when
-                                                              ///< no pair is checked
+  /// m; 0 in contact: how deep is not told. Infinite when no pair is checked.
+  double distance = std::numeric_limits<double>::infinity();
   int first = -1, second = -1;  ///< indices into `HandProfile::links`, first < second; -1 when no pair is checked
   bool colliding = false;
 };

@@ -11,7 +11,6 @@ const kSecondsPerFinger = 0.9;
 class InputsPanel {
   constructor(session) {
     this.session = session;
-    this.running = null;  // the animation under way
     this.sliders = [];    // {input, output, index, bound, text(value)}
     this.text = element('input', {type: 'text', id: 'action-text', spellcheck: 'false', autocomplete: 'off',
       'aria-describedby': 'action-unit', onchange: () => this.#readText()});
@@ -31,7 +30,7 @@ class InputsPanel {
   }
 
   #button(id, label, action) {
-    return element('button', {type: 'button', id, onclick: () => { this.stop(); action(); }}, label);
+    return element('button', {type: 'button', id, onclick: () => { this.session.stop(); action(); }}, label);
   }
 
   #slotPanel(name, slot) {
@@ -57,7 +56,7 @@ class InputsPanel {
   #slider(id, label, name, index, bound, text, [lowest, greatest], disabled) {
     const input = element('input', {type: 'range', id, min: -kSliderSteps, max: kSliderSteps, step: 1, disabled,
       'aria-label': name, title: `${lowest} … ${greatest}`, oninput: () => {
-        this.stop();
+        this.session.stop();
         this.session.setInput(index, input.valueAsNumber / kSliderSteps * bound);
       }, ondblclick: () => this.session.setInput(index, 0)});
     const output = element('output', {for: id});
@@ -102,7 +101,7 @@ class InputsPanel {
       this.text.reportValidity();
       return;
     }
-    this.stop();
+    this.session.stop();
     this.session.action = numbers;
   }
 
@@ -115,13 +114,12 @@ class InputsPanel {
 
   /// From zeros, the planes of one finger after the other contract. Slots that some hand gives to one finger close together.
   #closeOneByOne() {
-    const start = performance.now(), groups = this.#slotGroups();
-    const step = (now) => {
-      const progress = Math.max(now - start, 0) / 1000 / kSecondsPerFinger;
+    const groups = this.#slotGroups();
+    this.session.play((seconds) => {
+      const progress = seconds / kSecondsPerFinger;
       this.#set(() => 0, (slot) => kClosed * clamp(progress - groups.findIndex((group) => group.includes(slot)), 0, 1));
-      this.running = progress < groups.length ? requestAnimationFrame(step) : null;
-    };
-    this.running = requestAnimationFrame(step);
+      return progress < groups.length;
+    });
   }
 
   #slotGroups() {
@@ -133,11 +131,5 @@ class InputsPanel {
       else groups.push([slot]);
     });
     return groups;
-  }
-
-  /// Ends the animation under way.
-  stop() {
-    if (this.running !== null) cancelAnimationFrame(this.running);
-    this.running = null;
   }
 }

@@ -18,6 +18,7 @@ class Session {
     this.inputs = new Float64Array(kSlots.length * (1 + this.phi.length));
     this.states = [];  // one a hand: {action, q, residualRms, atLimit, closed}
     this.listeners = [];
+    this.animation = null;  // the pending frame of the one that runs
     this.#solve();
   }
 
@@ -68,7 +69,7 @@ class Session {
   setPose(pose) {
     this.pose = pose;
     this.#solve();
-    this.listeners.forEach((listener) => listener());
+    this.#tell();
   }
 
   setSolveOption(name, value) {
@@ -81,6 +82,30 @@ class Session {
     this.frame = frame;
     this.inputs = Float64Array.from(this.#inputsFrom(this.timeline.actions[frame]));
     this.setPose('timeline');
+  }
+
+  /// Calls `step` with the seconds since now, once a frame of the display, until it returns false or something else is chosen.
+  play(step) {
+    this.stop();
+    const start = performance.now();
+    const next = (now) => {
+      this.animation = requestAnimationFrame(next);
+      if (!step(Math.max(now - start, 0) / 1000)) this.stop();
+    };
+    this.animation = requestAnimationFrame(next);
+    this.#tell();
+  }
+
+  /// Ends the animation that runs, if one does. Whoever changes something by hand calls it first.
+  stop() {
+    if (this.animation === null) return;
+    cancelAnimationFrame(this.animation);
+    this.animation = null;
+    this.#tell();
+  }
+
+  #tell() {
+    this.listeners.forEach((listener) => listener());
   }
 
   #inputsFrom(action) {

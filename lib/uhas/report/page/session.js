@@ -12,7 +12,8 @@ class Session {
     this.hands = hands;
     this.phi = hands[0].data.driving_vectors_phi;
     this.timeline = hands.length === 1 ? hands[0].data.timeline : null;
-    this.solveOptions = {rule: 'correspondence', closing: 'fade', field: 'finger', passes: 1, ...this.timeline?.options};
+    this.solveOptions = {rule: 'correspondence', closing: 'fade', field: 'finger', passes: 1, ...this.timeline?.options,
+      driving_vectors_phi: this.phi};
     this.pose = 'solved';
     this.frame = 0;  // of the timeline
     this.inputs = new Float64Array(kSlots.length * (1 + this.phi.length));

@@ -7,10 +7,12 @@ const kLineEvery = 6;                    // of them drawn as a line
 const kPlaneSamples = 48;                // polar angles along the rim of a driving plane
 const kDiscDiameter = 0.016;
 const kAxisLength = 1.3;
+const kVanished = 0.05;          // a plane this small leaves its label where it was
 
 class SphereScene {
   constructor(hand, drivingVectorsPhi) {
     this.hand = hand;
+    this.drivingVectorsPhi = drivingVectorsPhi;
     this.layers = {unitSphere: new THREE.Group(), sphere: new THREE.Group(), spherePoints: new THREE.Group(), planes: new THREE.Group(), axes: new THREE.Group(),
       normal: new THREE.Group()};
     this.root = new THREE.Group();
@@ -20,7 +22,7 @@ class SphereScene {
     this.#addUnitSphere();
     this.#addSurface();
     this.#addPoints();
-    this.#addPlanes(drivingVectorsPhi);
+    this.#addPlanes();
     this.#addAxes();
   }
 
@@ -63,7 +65,8 @@ class SphereScene {
   }
 
   /// A half disc for each driving plane, an arrow for each driving vector. Slots of one finger share a plane.
-  #addPlanes(drivingVectorsPhi) {
+  #addPlanes() {
+    const phi = this.drivingVectorsPhi;
     this.hand.data.planes.forEach((theta, slot, planes) => {
       if (planes.indexOf(theta) !== slot) return;
       const color = new THREE.Color(...sphereColor(theta, Math.PI / 2));
@@ -75,14 +78,15 @@ class SphereScene {
       const edge = this.#deformingGeometry(Float64Array.from(rim.flat()));
       this.#show('planes', new THREE.Line(edge, new THREE.LineBasicMaterial({color})), 2);
 
-      const arrows = drivingVectorsPhi.map(() => new Arrow(color, 0.006));
+      const arrows = phi.map(() => new Arrow(color, 0.006));
       arrows.forEach((arrow) => this.#show('planes', arrow, 0));
       const label = {text: this.hand.fingersOfSlot(slot).map(({name}) => name).join(', '), position: new THREE.Vector3(), layer: 'planes', height: 0.1};
       this.labels.push(label);
-      this.deforming.push({thetaPhi: Float64Array.from([...drivingVectorsPhi, Math.PI / 2].flatMap((phi) => [theta, phi])),
+      this.deforming.push({thetaPhi: Float64Array.from([...phi, Math.PI / 2].flatMap((angle) => [theta, angle])),
         place: (positions) => {
           arrows.forEach((arrow, j) => arrow.point(new THREE.Vector3(), new THREE.Vector3().fromArray(positions, 3 * j)));
-          label.position.fromArray(positions, 3 * arrows.length).multiplyScalar(1.2);
+          const end = new THREE.Vector3().fromArray(positions, 3 * arrows.length), length = end.length();
+          if (length > kVanished) label.position.copy(end).setLength(length + 0.2);
         }});
     });
   }
@@ -130,7 +134,8 @@ class SphereScene {
   /// @param action  of this hand: [5 + 5 V], rad and sphere radii
   deform(action) {
     for (const {thetaPhi, place} of this.deforming) {
-      const field = this.hand.solver.field(action, thetaPhi), positions = new Float32Array(field.length / 2 * 3);
+      const field = this.hand.solver.field(action, thetaPhi, {driving_vectors_phi: this.drivingVectorsPhi});
+      const positions = new Float32Array(field.length / 2 * 3);
       for (let i = 0; i < field.length / 2; ++i) {
         // a point of negative radius has vanished
         positions.set(spherePoint(field[2 * i], thetaPhi[2 * i + 1], Math.max(field[2 * i + 1], 0), this.hand.azimuthSign), 3 * i);

@@ -3,10 +3,10 @@
 #include <iostream>
 
 #include "common/hand_input.hpp"
+#include "common/model_input.hpp"
 #include "common/profile_check.hpp"
 #include "common/profile_summary.hpp"
 #include "common/table.hpp"
-#include "uhas/profile_builder/settings_json.hpp"
 #include "uhas/profile_io/read_profile.hpp"
 #include "uhas/profile_io/reseal_profile.hpp"
 
@@ -32,13 +32,6 @@ void add_options(CLI::App& app, Options& options) {
       ->type_name("hand.urdf");
   add_package_option(app, options.packages);
   app.add_flag("--reseal", options.reseal, "Make a profile that was edited with an HDF5 tool readable again");
-}
-
-/// The files as the build read them: the same choice of geometry.
-HandModel load_again(const HandProfile& profile, const Options& options) {
-  LoadOptions load = settings_from_json(profile.settings_json, options.profile).load;
-  load.packages = options.packages;
-  return load_hand_model(options.urdf, load);
 }
 
 ExitCode report(const Tool& tool, const Options& options, const HandProfile& profile,
@@ -79,7 +72,8 @@ ExitCode run(Tool& tool) {
     std::vector<Check> checks;
     if (options.validate) checks = check_behaviour(profile);
     if (!options.urdf.empty())
-      std::ranges::copy(check_sources(profile, load_again(profile, options)), std::back_inserter(checks));
+      std::ranges::copy(check_sources(profile, load_model_of(profile, options.profile, options.urdf, options.packages)),
+                        std::back_inserter(checks));
     return report(tool, options, profile, checks);
   }
 

@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <iostream>
 
+#include "common/findings.hpp"
 #include "common/hand_input.hpp"
+#include "common/json_value.hpp"
 #include "common/model_input.hpp"
 #include "common/profile_check.hpp"
 #include "common/profile_summary.hpp"
@@ -20,12 +22,17 @@ constexpr std::size_t kFailuresNamed = 3;  // in the error line; the table has t
 struct Options {
   std::string profile, urdf;
   std::vector<PackageFolder> packages;
-  bool validate = false, reseal = false;
+  std::string value;  // key of the summary
+  bool findings = false, validate = false, reseal = false;
 };
 
 void add_options(CLI::App& app, Options& options) {
   app.description("Shows what a hand profile says: palm, sphere, fingers, joints and poses.");
   app.add_option("profile.h5", options.profile, "Hand profile")->required()->type_name("FILE");
+  app.add_option("-g,--get", options.value,
+                 "Print one value of the JSON summary instead, for example sphere.radius or fingers.0.name")
+      ->type_name("KEY");
+  app.add_flag("--findings", options.findings, "Show also what was inferred of the hand, how surely and why");
   app.add_flag("--validate", options.validate, "Check instead that the profile is sound; exit 1 when it is not");
   app.add_option("--check", options.urdf,
                  "Check instead that the profile was built from this URDF and its meshes; exit 1 when not")
@@ -41,7 +48,8 @@ ExitCode report(const Tool& tool, const Options& options, const HandProfile& pro
     std::cout << to_text(profile_check_json(profile, checks));
   } else {
     Table table({{"check"}, {"result"}, {"found"}});
-    for (const Check& check : checks) table.add_row({check.item, check.passed ? "ok" : "FAILED", check.detail});
+    for (const Check& check : checks)
+      table.add_row({check.item, check.passed ? "ok" : Table::Cell("FAILED", Tone::error), check.detail});
     table.print(std::cout);
   }
   if (passed) return ExitCode::done;
@@ -77,10 +85,19 @@ ExitCode run(Tool& tool) {
     return report(tool, options, profile, checks);
   }
 
-  if (tool.json())
+  if (!options.value.empty()) {
+    std::cout << to_plain_line(value_at(profile_summary_json(profile), options.value));
+    return ExitCode::done;
+  }
+  if (tool.json()) {
     std::cout << to_text(profile_summary_json(profile));
-  else
+  } else {
     print_profile(std::cout, profile, true);
+    if (options.findings) {
+      std::cout << '\n';
+      print_findings(std::cout, profile.findings);
+    }
+  }
   tool.warn(profile.warnings);
   return ExitCode::done;
 }

@@ -47,7 +47,7 @@ class InputsPanel {
       element('legend', {}, `${slot} ${name}`, owners && owners !== name ? element('span', {}, ` ${owners}`) : null),
       this.#slider(`theta-${slot}`, 'Δθ', `Δθ of slot ${slot}, ${name}`, Session.lateral(slot), 1, lateral, range,
         reasons.length === hands.length),
-      ...phi.map((angle, j) => this.#slider(`r-${slot}-${j}`, `Δr ${fixed(angle * kDegrees, 0)}°`,
+      ...phi[slot].map((angle, j) => this.#slider(`r-${slot}-${j}`, `Δr ${fixed(angle * kDegrees, 0)}°`,
         `Δr of slot ${slot}, ${name}, at ${fixed(angle * kDegrees, 0)}°`, this.session.radial(slot, j), kRadialBound,
         (value) => signed(value, 2), ['−2', '+2'], false)),
       ...notes);
@@ -70,9 +70,9 @@ class InputsPanel {
     if (finger.slots.length < 2 || finger.slots[0] !== slot) return null;
     const note = element('small', {class: 'shared'});
     this.session.onChange(() => {
-      const action = this.session.actionOf(hand), V = this.session.phi.length;
+      const action = this.session.actionOf(hand), {vectors} = this.session;
       const mean = (index) => finger.slots.reduce((sum, s) => sum + action[index(s)], 0) / finger.slots.length;
-      const radial = this.session.phi.map((_, j) => signed(mean((s) => kSlots.length + V * s + j), 2)).join(', ');
+      const radial = Array.from({length: vectors}, (_, j) => signed(mean((s) => this.session.radial(s, j)), 2)).join(', ');
       note.textContent = `${hand.name}: ${finger.name} follows the mean of slots ${finger.slots.join(', ')}: ` +
         `Δθ ${signed(mean((s) => s) * kDegrees, 1)}°, Δr ${radial}`;
     });
@@ -109,7 +109,7 @@ class InputsPanel {
   /// @param radial   slot -> sphere radii
   #set(lateral, radial) {
     this.session.setInputs(kSlots.flatMap((_, slot) => lateral(slot)).concat(
-      kSlots.flatMap((_, slot) => this.session.phi.map(() => radial(slot)))));
+      kSlots.flatMap((_, slot) => this.session.phi[slot].map(() => radial(slot)))));
   }
 
   /// From zeros, the planes of one finger after the other contract. Slots that some hand gives to one finger close together.

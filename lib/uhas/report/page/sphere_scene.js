@@ -10,9 +10,10 @@ const kAxisLength = 1.3;
 const kVanished = 0.05;          // a plane this small leaves its label where it was
 
 class SphereScene {
-  constructor(hand, drivingVectorsPhi) {
+  /// @param phi  polar angles of the driving vectors, [5][V]
+  constructor(hand, phi) {
     this.hand = hand;
-    this.drivingVectorsPhi = drivingVectorsPhi;
+    this.phi = phi;
     this.layers = {unitSphere: new THREE.Group(), sphere: new THREE.Group(), spherePoints: new THREE.Group(), planes: new THREE.Group(), axes: new THREE.Group(),
       normal: new THREE.Group()};
     this.root = new THREE.Group();
@@ -66,9 +67,10 @@ class SphereScene {
 
   /// A half disc for each driving plane, an arrow for each driving vector. Slots of one finger share a plane.
   #addPlanes() {
-    const phi = this.drivingVectorsPhi;
     this.hand.data.planes.forEach((theta, slot, planes) => {
       if (planes.indexOf(theta) !== slot) return;
+      const sharing = this.phi.filter((_, other) => planes[other] === theta);
+      const phi = this.phi[slot].map((_, j) => sharing.reduce((sum, angles) => sum + angles[j], 0) / sharing.length);
       const color = new THREE.Color(...sphereColor(theta, Math.PI / 2));
       const rim = Array.from({length: kPlaneSamples + 1}, (_, i) => [theta, Math.PI * i / kPlaneSamples]);
       const disc = this.#deformingGeometry(Float64Array.from([...rim.flat(), theta, 0]), [kPlaneSamples + 1]);
@@ -134,7 +136,7 @@ class SphereScene {
   /// @param action  of this hand: [5 + 5 V], rad and sphere radii
   deform(action) {
     for (const {thetaPhi, place} of this.deforming) {
-      const field = this.hand.solver.field(action, thetaPhi, {driving_vectors_phi: this.drivingVectorsPhi});
+      const field = this.hand.solver.field(action, thetaPhi, {driving_vectors_phi: this.phi.flat()});
       const positions = new Float32Array(field.length / 2 * 3);
       for (let i = 0; i < field.length / 2; ++i) {
         // a point of negative radius has vanished

@@ -18,7 +18,10 @@ uhas_test_packages=(
   liborocos-kdl-dev                                      # independent kinematics
   libnlopt-cxx-dev libnlopt-dev                          # independent optimiser
   python3 python3-numpy python3-h5py python3-jsonschema  # second reader of the profile, schema validator
+  nodejs chromium                                        # reports in a browser
 )
+# Debian's npm conflicts with packages of nodejs that bring an npm of their own.
+command -v npm > /dev/null || uhas_test_packages+=(npm)
 
 # install_missing PACKAGE...: installs those that are not there and asks nothing; does not touch the network when all are.
 install_missing() {

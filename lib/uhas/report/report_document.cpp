@@ -64,6 +64,24 @@ Json meshes_json(const HandGeometry& geometry) {
   return meshes;
 }
 
+Json findings_json(const HandProfile& profile) {
+  Json findings = Json::array();
+  for (const Finding& finding : profile.findings)
+    findings.push_back({{"item", finding.item},
+                        {"value", finding.value},
+                        {"reason", finding.reason},
+                        {"confidence", finding.confidence}});
+  return findings;
+}
+
+/// Fingertips, in the order of the fingers.
+Json tips_json(const HandProfile& profile) {
+  Json tips = Json::array();
+  for (const ProfileFinger& finger : profile.fingers)
+    tips.push_back({{"link", finger.tip_link}, {"position", vector_json(finger.p_tip_link)}});
+  return tips;
+}
+
 /// Where each joint turns or slides: its axis, in the frame of a link that it carries.
 Json joints_json(const HandProfile& profile) {
   constexpr std::array kinds{"revolute", "continuous", "prismatic"};
@@ -221,6 +239,8 @@ Json hand_json(const ReportHand& hand) {
           {"image", base64(flatten_profile(solvable_part(profile)))},
           {"links", links_json(profile)},
           {"joints", joints_json(profile)},
+          {"tips", tips_json(profile)},
+          {"findings", findings_json(profile)},
           {"meshes", meshes_json(hand.geometry)},
           {"points", points_json(profile)},
           {"tables", tables_json(profile)},

@@ -2,8 +2,8 @@
 'use strict';
 
 const kLayers = {
-  meshes: 'meshes', points: 'points on the hand', joints: 'joint axes', skeleton: 'skeleton', sphere: 'deformed sphere',
-  spherePoints: 'points on the sphere', planes: 'driving planes and vectors', axes: 'sphere frame', normal: 'palm normal',
+  meshes: 'meshes', points: 'hand points', joints: 'joint axes', skeleton: 'skeleton', unitSphere: 'unit sphere', sphere: 'deformed sphere', spherePoints: 'sphere points',
+  planes: 'driving planes, vectors', axes: 'sphere frame', normal: 'palm normal',
 };
 
 const kPoseHelp = {
@@ -14,7 +14,7 @@ const kPoseHelp = {
 /// Radio buttons for the pose.
 function posePanel(session) {
   const radios = Object.entries(kPoseHelp).map(([pose, help]) => element('input', {type: 'radio', name: 'pose', value: pose,
-    id: `pose-${pose}`, title: help, onchange: () => session.setPose(pose)}));
+    id: `pose-${pose}`, title: help, onchange: () => { session.stop(); session.setPose(pose); }}));
   session.onChange(() => radios.forEach((radio) => { radio.checked = radio.value === session.pose; }));
   return element('fieldset', {class: 'panel segments'}, element('legend', {}, 'Pose'),
     ...radios.map((radio) => element('label', {title: radio.title}, radio, element('span', {}, radio.value))));
@@ -25,8 +25,7 @@ function layersPanel(viewer, session) {
   const withoutModel = session.hands.every((hand) => hand.meshes.length === 0);
   const hidden = withoutModel ? ['meshes'] : ['skeleton'];
   hidden.forEach((layer) => viewer.setLayer(layer, false));
-  return element('div', {class: 'panel'},
-    element('h2', {}, 'View'),
+  return element('div', {class: 'toolbar'},
     element('div', {class: 'buttons', role: 'group', 'aria-label': 'Look from'},
       ...Object.entries(kStandpoints).map(([name, {label}]) => element('button',
         {type: 'button', id: `view-${name}`, onclick: () => viewer.lookFrom(name)}, label))),
@@ -40,10 +39,10 @@ function layersPanel(viewer, session) {
 function legend() {
   const swatch = (color, label) => element('span', {class: 'swatch', style: `--swatch: ${color}`}, label);
   return element('div', {class: 'legend'},
-    colorKeyCanvas(44),
-    element('span', {}, 'surface points: θ around, φ from the palm pole outward; one colour on hand and sphere'),
+    colorKeyCanvas(36),
+    element('span', {}, 'surface points by (θ, φ), alike on hand and sphere'),
     swatch(kClassColors.lateral, 'lateral joint'), swatch(kClassColors.encompassing, 'encompassing joint'),
-    element('span', {}, 'thin: follows another joint'));
+    element('span', {}, 'thin: follower (mimic)'));
 }
 
 /// Menus for the solver's options.

@@ -22,12 +22,12 @@ function dress(made, attributes, children) {
   return made;
 }
 
-/// A table with a heading row. A column is {heading, number: bool}; a row holds a text or an element for each column.
+/// A table with a heading row; its caption, if there is one, also names it to readers that do not see. A column is {heading, number: bool}; a row holds a text or an element for each column.
 function tableElement(caption, columns, rows) {
   const align = (column) => (column.number ? 'number' : null);
-  return element('div', {class: 'scroll', tabindex: 0, role: 'region', 'aria-label': caption},
+  return element('div', {class: 'scroll', tabindex: 0, role: 'region', 'aria-label': caption ?? 'table'},
     element('table', {},
-      element('caption', {}, caption),
+      caption ? element('caption', {}, caption) : null,
       element('thead', {}, element('tr', {},
         ...columns.map((column) => element('th', {scope: 'col', class: align(column)}, column.heading)))),
       element('tbody', {}, ...rows.map((row) => element('tr', {},

@@ -2,29 +2,29 @@
 'use strict';
 
 /// @param value  any JSON value
-/// @param name   its key, for captions
+/// @param name   its key
 function evaluationElement(value, name) {
   if (Array.isArray(value)) {
     if (value.length > 1 && value.every(Number.isFinite)) return barPlot(value, name);
-    if (value.length && value.every(isObject)) return recordTable(value, name);
+    if (value.length && value.every(isObject)) return recordTable(value);
     return document.createTextNode(value.map(scoreText).join(', '));
   }
   if (!isObject(value)) return document.createTextNode(scoreText(value));
 
-  const entries = Object.entries(value);
+  const entries = Object.entries(value).filter(([key]) => !['format', 'version', 'hand'].includes(key));
   if (entries.length > 1 && entries.every(([, entry]) => isObject(entry) && isFlat(entry))) {
-    return recordTable(entries.map(([key, entry]) => ({'': key, ...entry})), name);
+    return recordTable(entries.map(([key, entry]) => ({'': words(key), ...entry})));
   }
   const flat = entries.filter(([, entry]) => !isObject(entry) && !Array.isArray(entry));
   const deep = entries.filter(([, entry]) => isObject(entry) || Array.isArray(entry));
   return element('div', {},
-    flat.length ? tableElement(words(name), [{heading: 'item'}, {heading: 'value', number: true}],
+    flat.length ? tableElement(null, [{heading: 'item'}, {heading: 'value', number: true}],
       flat.map(([key, entry]) => [words(key), scoreText(entry)])) : null,
     ...deep.map(([key, entry]) => element('div', {class: 'score'}, element('h3', {}, words(key)), evaluationElement(entry, key))));
 }
 
 /// A table with a row for each record; numbers of a column share a bar, so that they compare at a glance.
-function recordTable(records, name) {
+function recordTable(records) {
   const keys = [...new Set(records.flatMap(Object.keys))];
   const greatest = Object.fromEntries(keys.map((key) => [key,
     Math.max(0, ...records.map((record) => record[key]).filter(Number.isFinite).map(Math.abs))]));
@@ -37,7 +37,7 @@ function recordTable(records, name) {
     const share = greatest[key] > 0 ? 100 * Math.abs(value) / greatest[key] : 0;
     return element('span', {class: 'bar', style: `--share: ${share.toFixed(1)}%`}, scoreText(value));
   };
-  return tableElement(words(name), keys.map((key) => ({heading: words(key), number: isNumber(key)})),
+  return tableElement(null, keys.map((key) => ({heading: words(key), number: isNumber(key)})),
     records.map((record) => keys.map((key) => cell(key, record[key]))));
 }
 

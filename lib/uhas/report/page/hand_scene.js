@@ -83,15 +83,15 @@ class HandScene {
     this.root.updateMatrixWorld(true);
   }
 
-  /// Box of meshes (of points and tips where there is none) as posed now, in the sphere frame.
-  box() {
-    const box = new THREE.Box3();
+  /// Corners of the boxes about the links' meshes (about their points where there are none) as posed now, in the sphere frame.
+  corners() {
     const source = this.hand.meshes.length ? this.layers.meshes : this.layers.points;
-    source.children.forEach(({geometry, matrixWorld}) => {
-      geometry.computeBoundingBox();
-      box.union(geometry.boundingBox.clone().applyMatrix4(matrixWorld));
+    return source.children.flatMap(({geometry, matrixWorld}) => {
+      if (!geometry.boundingBox) geometry.computeBoundingBox();
+      const ends = [geometry.boundingBox.min, geometry.boundingBox.max];
+      return Array.from({length: 8}, (_, bits) =>
+        new THREE.Vector3(ends[bits & 1].x, ends[bits >> 1 & 1].y, ends[bits >> 2].z).applyMatrix4(matrixWorld));
     });
-    return box;
   }
 
   setTheme({mesh, ink}) {

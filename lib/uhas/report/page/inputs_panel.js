@@ -11,7 +11,6 @@ const kSecondsPerFinger = 0.9;
 class InputsPanel {
   constructor(session) {
     this.session = session;
-    this.running = null;  // the animation under way
     this.sliders = [];    // {input, output, index, bound, text(value)}
     this.text = element('input', {type: 'text', id: 'action-text', spellcheck: 'false', autocomplete: 'off',
       'aria-describedby': 'action-unit', onchange: () => this.#readText()});
@@ -31,7 +30,7 @@ class InputsPanel {
   }
 
   #button(id, label, action) {
-    return element('button', {type: 'button', id, onclick: () => { this.stop(); action(); }}, label);
+    return element('button', {type: 'button', id, onclick: () => { this.session.stop(); action(); }}, label);
   }
 
   #slotPanel(name, slot) {
@@ -48,7 +47,7 @@ class InputsPanel {
       element('legend', {}, `${slot} ${name}`, owners && owners !== name ? element('span', {}, ` ${owners}`) : null),
       this.#slider(`theta-${slot}`, 'Δθ', `Δθ of slot ${slot}, ${name}`, Session.lateral(slot), 1, lateral, range,
         reasons.length === hands.length),
-      ...phi.map((angle, j) => this.#slider(`r-${slot}-${j}`, `Δr ${fixed(angle * kDegrees, 0)}°`,
+      ...phi[slot].map((angle, j) => this.#slider(`r-${slot}-${j}`, `Δr ${fixed(angle * kDegrees, 0)}°`,
         `Δr of slot ${slot}, ${name}, at ${fixed(angle * kDegrees, 0)}°`, this.session.radial(slot, j), kRadialBound,
         (value) => signed(value, 2), ['−2', '+2'], false)),
       ...notes);
@@ -57,7 +56,7 @@ class InputsPanel {
   #slider(id, label, name, index, bound, text, [lowest, greatest], disabled) {
     const input = element('input', {type: 'range', id, min: -kSliderSteps, max: kSliderSteps, step: 1, disabled,
       'aria-label': name, title: `${lowest} … ${greatest}`, oninput: () => {
-        this.stop();
+        this.session.stop();
         this.session.setInput(index, input.valueAsNumber / kSliderSteps * bound);
       }, ondblclick: () => this.session.setInput(index, 0)});
     const output = element('output', {for: id});
@@ -71,9 +70,9 @@ class InputsPanel {
     if (finger.slots.length < 2 || finger.slots[0] !== slot) return null;
     const note = element('small', {class: 'shared'});
     this.session.onChange(() => {
-      const action = this.session.actionOf(hand), V = this.session.phi.length;
+      const action = this.session.actionOf(hand), {vectors} = this.session;
       const mean = (index) => finger.slots.reduce((sum, s) => sum + action[index(s)], 0) / finger.slots.length;
-      const radial = this.session.phi.map((_, j) => signed(mean((s) => kSlots.length + V * s + j), 2)).join(', ');
+      const radial = Array.from({length: vectors}, (_, j) => signed(mean((s) => this.session.radial(s, j)), 2)).join(', ');
       note.textContent = `${hand.name}: ${finger.name} follows the mean of slots ${finger.slots.join(', ')}: ` +
         `Δθ ${signed(mean((s) => s) * kDegrees, 1)}°, Δr ${radial}`;
     });
@@ -102,7 +101,7 @@ class InputsPanel {
       this.text.reportValidity();
       return;
     }
-    this.stop();
+    this.session.stop();
     this.session.action = numbers;
   }
 
@@ -110,18 +109,17 @@ class InputsPanel {
   /// @param radial   slot -> sphere radii
   #set(lateral, radial) {
     this.session.setInputs(kSlots.flatMap((_, slot) => lateral(slot)).concat(
-      kSlots.flatMap((_, slot) => this.session.phi.map(() => radial(slot)))));
+      kSlots.flatMap((_, slot) => this.session.phi[slot].map(() => radial(slot)))));
   }
 
   /// From zeros, the planes of one finger after the other contract. Slots that some hand gives to one finger close together.
   #closeOneByOne() {
-    const start = performance.now(), groups = this.#slotGroups();
-    const step = (now) => {
-      const progress = Math.max(now - start, 0) / 1000 / kSecondsPerFinger;
+    const groups = this.#slotGroups();
+    this.session.play((seconds) => {
+      const progress = seconds / kSecondsPerFinger;
       this.#set(() => 0, (slot) => kClosed * clamp(progress - groups.findIndex((group) => group.includes(slot)), 0, 1));
-      this.running = progress < groups.length ? requestAnimationFrame(step) : null;
-    };
-    this.running = requestAnimationFrame(step);
+      return progress < groups.length;
+    });
   }
 
   #slotGroups() {
@@ -133,11 +131,5 @@ class InputsPanel {
       else groups.push([slot]);
     });
     return groups;
-  }
-
-  /// Ends the animation under way.
-  stop() {
-    if (this.running !== null) cancelAnimationFrame(this.running);
-    this.running = null;
   }
 }

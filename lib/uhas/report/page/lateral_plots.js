@@ -23,7 +23,7 @@ function lateralPlot(session, hand, table) {
   const bottom = kPlot.height - kPlot.bottom, right = kPlot.width - kPlot.right;
   const text = (at, up, anchor, words) => svgElement('text', {x: at, y: up, 'text-anchor': anchor}, words);
   const dot = svgElement('circle', {r: 4.5, class: 'now'});
-  const name = `${table.finger}: θ of the fingertip over ${table.joint}`;
+  const finger = table.finger ?? 'several fingers', name = `${finger}: θ of the fingertip over ${table.joint}`;
 
   session.onChange(() => {
     const q = session.states[session.hands.indexOf(hand)].q[i];
@@ -41,7 +41,7 @@ function lateralPlot(session, hand, table) {
       text(kPlot.left - 4, (kPlot.top + bottom) / 2, 'end', 'θ'),
       text(kPlot.left, bottom + 13, 'start', `${fixed(first, 0)}${unit}`), text(right, bottom + 13, 'end', `${fixed(last, 0)}${unit}`),
       text((kPlot.left + right) / 2, bottom + 24, 'middle', table.joint)),
-    element('figcaption', {}, element('strong', {}, table.finger),
+    element('figcaption', {}, element('strong', {}, finger),
       table.driving ? ` Δθ ${table.delta_theta_range.map((bound) => `${signed(bound * kDegrees, 1)}°`).join(' … ')}`
         : ' stays at neutral: another joint follows Δθ'));
 }

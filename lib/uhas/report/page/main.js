@@ -28,11 +28,11 @@ function layOut(session) {
   const [controls, views, details] = ['controls', 'views', 'details'].map((id) => document.getElementById(id));
   const stage = element('div', {class: 'stage'});
   const inputs = new InputsPanel(session);
-  views.append(legend(), stage);
+  views.append(stage, legend());
   controls.append(posePanel(session), inputs.element);
   try {
     const viewer = new Viewer(stage, session);
-    controls.append(layersPanel(viewer, session));
+    views.prepend(layersPanel(viewer, session));
     followTheme(viewer);
     viewer.lookFrom('oblique');
   } catch (error) {
@@ -40,8 +40,7 @@ function layOut(session) {
   }
   controls.append(solverPanel(session));
   if (session.timeline) {
-    const timeline = new Timeline(session);
-    views.append(timeline.element);
+    stage.after(new Timeline(session).element);
   }
   details.append(
     sectionElement('joints', 'Joints', ...session.hands.map((hand) => jointTable(session, hand))),

@@ -6,18 +6,27 @@ const kRadialBound = 2;  // of a displacement, sphere radii
 /// Poses that the hands can be shown in; `solved` answers the inputs, `timeline` is a solution of the document.
 const kPoses = ['q_open', 'q_sphere', 'q_closed', 'solved', 'timeline'];
 
+/// Polar angles of the driving vectors, [5][V] by slot, from V that all slots share or 5 V.
+function drivingVectorsOfSlots(phi) {
+  const vectors = phi.length < kSlots.length ? 0 : phi.length / kSlots.length;
+  return kSlots.map((_, slot) => (vectors ? phi.slice(vectors * slot, vectors * (slot + 1)) : phi));
+}
+
 class Session {
   /// @param hands  Hand[], all of which follow the same inputs
   constructor(hands) {
     this.hands = hands;
-    this.phi = hands[0].data.driving_vectors_phi;
+    this.phi = drivingVectorsOfSlots(hands[0].data.driving_vectors_phi);
+    this.vectors = this.phi[0].length;
     this.timeline = hands.length === 1 ? hands[0].data.timeline : null;
-    this.solveOptions = {rule: 'correspondence', closing: 'fade', field: 'finger', passes: 1, ...this.timeline?.options};
+    this.solveOptions = {rule: 'correspondence', closing: 'fade', field: 'finger', passes: 1, ...this.timeline?.options,
+      driving_vectors_phi: this.phi.flat()};
     this.pose = 'solved';
     this.frame = 0;  // of the timeline
-    this.inputs = new Float64Array(kSlots.length * (1 + this.phi.length));
+    this.inputs = new Float64Array(kSlots.length * (1 + this.vectors));
     this.states = [];  // one a hand: {action, q, residualRms, atLimit, closed}
     this.listeners = [];
+    this.animation = null;  // the pending frame of the one that runs
     this.#solve();
   }
 
@@ -28,7 +37,7 @@ class Session {
 
   /// Position in `inputs` of a slot's displacement at driving vector j, in sphere radii.
   radial(slot, j) {
-    return kSlots.length + this.phi.length * slot + j;
+    return kSlots.length + this.vectors * slot + j;
   }
 
   /// @param listener  called without arguments after every change
@@ -68,7 +77,7 @@ class Session {
   setPose(pose) {
     this.pose = pose;
     this.#solve();
-    this.listeners.forEach((listener) => listener());
+    this.#tell();
   }
 
   setSolveOption(name, value) {
@@ -81,6 +90,30 @@ class Session {
     this.frame = frame;
     this.inputs = Float64Array.from(this.#inputsFrom(this.timeline.actions[frame]));
     this.setPose('timeline');
+  }
+
+  /// Calls `step` with the seconds since now, once a frame of the display, until it returns false or something else is chosen.
+  play(step) {
+    this.stop();
+    const start = performance.now();
+    const next = (now) => {
+      this.animation = requestAnimationFrame(next);
+      if (!step(Math.max(now - start, 0) / 1000)) this.stop();
+    };
+    this.animation = requestAnimationFrame(next);
+    this.#tell();
+  }
+
+  /// Ends the animation that runs, if one does. Whoever changes something by hand calls it first.
+  stop() {
+    if (this.animation === null) return;
+    cancelAnimationFrame(this.animation);
+    this.animation = null;
+    this.#tell();
+  }
+
+  #tell() {
+    this.listeners.forEach((listener) => listener());
   }
 
   #inputsFrom(action) {

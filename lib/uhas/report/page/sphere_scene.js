@@ -6,20 +6,35 @@ const kMeridians = 72, kParallels = 36;  // the surface's grid: 5° by 5°
 const kLineEvery = 6;                    // of them drawn as a line
 const kPlaneSamples = 48;                // polar angles along the rim of a driving plane
 const kDiscDiameter = 0.016;
+const kAxisLength = 1.3;
+const kVanished = 0.05;          // a plane this small leaves its label where it was
 
 class SphereScene {
-  constructor(hand, drivingVectorsPhi) {
+  /// @param phi  polar angles of the driving vectors, [5][V]
+  constructor(hand, phi) {
     this.hand = hand;
-    this.layers = {sphere: new THREE.Group(), spherePoints: new THREE.Group(), planes: new THREE.Group(), axes: new THREE.Group(),
+    this.phi = phi;
+    this.layers = {unitSphere: new THREE.Group(), sphere: new THREE.Group(), spherePoints: new THREE.Group(), planes: new THREE.Group(), axes: new THREE.Group(),
       normal: new THREE.Group()};
     this.root = new THREE.Group();
     this.root.add(...Object.values(this.layers));
     this.deforming = [];  // {thetaPhi, place(positions)}: called with the deformed positions [3 n]
     this.labels = [];     // {text, position: THREE.Vector3, layer}
+    this.#addUnitSphere();
     this.#addSurface();
     this.#addPoints();
-    this.#addPlanes(drivingVectorsPhi);
+    this.#addPlanes();
     this.#addAxes();
+  }
+
+  /// Three great circles, in the planes of the axes.
+  #addUnitSphere() {
+    this.unitMaterial = new THREE.LineBasicMaterial({transparent: true, opacity: 0.45});
+    const circle = Array.from({length: kMeridians}, (_, i) => 2 * Math.PI * i / kMeridians);
+    for (let axis = 0; axis < 3; ++axis) {
+      const points = circle.map((angle) => new THREE.Vector3().setComponent(axis, Math.cos(angle)).setComponent((axis + 1) % 3, Math.sin(angle)));
+      this.#show('unitSphere', new THREE.LineLoop(new THREE.BufferGeometry().setFromPoints(points), this.unitMaterial), 1);
+    }
   }
 
   #addSurface() {
@@ -38,10 +53,10 @@ class SphereScene {
     surface.setIndex(triangles);
     grid.setIndex(lines);
     grid.setAttribute('position', surface.getAttribute('position'));
-    this.gridMaterial = new THREE.LineBasicMaterial({transparent: true, opacity: 0.3});
-    const skin = {vertexColors: THREE.VertexColors, transparent: true, opacity: 0.16, depthWrite: false};
-    this.#show('sphere', new THREE.Mesh(surface, new THREE.MeshBasicMaterial({...skin, side: THREE.BackSide})), 1);
-    this.#show('sphere', new THREE.Mesh(surface, new THREE.MeshBasicMaterial({...skin, side: THREE.FrontSide})), 3);
+    this.gridMaterial = new THREE.LineBasicMaterial({transparent: true, opacity: 0.16});
+    const skin = {vertexColors: THREE.VertexColors, transparent: true, depthWrite: false};
+    this.#show('sphere', new THREE.Mesh(surface, new THREE.MeshBasicMaterial({...skin, opacity: 0.16, side: THREE.BackSide})), 1);
+    this.#show('sphere', new THREE.Mesh(surface, new THREE.MeshBasicMaterial({...skin, opacity: 0.08, side: THREE.FrontSide})), 3);
     this.#show('sphere', new THREE.LineSegments(grid, this.gridMaterial), 2);
   }
 
@@ -51,26 +66,29 @@ class SphereScene {
   }
 
   /// A half disc for each driving plane, an arrow for each driving vector. Slots of one finger share a plane.
-  #addPlanes(drivingVectorsPhi) {
+  #addPlanes() {
     this.hand.data.planes.forEach((theta, slot, planes) => {
       if (planes.indexOf(theta) !== slot) return;
+      const sharing = this.phi.filter((_, other) => planes[other] === theta);
+      const phi = this.phi[slot].map((_, j) => sharing.reduce((sum, angles) => sum + angles[j], 0) / sharing.length);
       const color = new THREE.Color(...sphereColor(theta, Math.PI / 2));
       const rim = Array.from({length: kPlaneSamples + 1}, (_, i) => [theta, Math.PI * i / kPlaneSamples]);
       const disc = this.#deformingGeometry(Float64Array.from([...rim.flat(), theta, 0]), [kPlaneSamples + 1]);
       disc.setIndex(rim.slice(1).flatMap((_, i) => [kPlaneSamples + 1, i, i + 1]));
       this.#show('planes', new THREE.Mesh(disc, new THREE.MeshBasicMaterial(
-        {color, transparent: true, opacity: 0.13, side: THREE.DoubleSide, depthWrite: false})), 1);
+        {color, transparent: true, opacity: 0.08, side: THREE.DoubleSide, depthWrite: false})), 1);
       const edge = this.#deformingGeometry(Float64Array.from(rim.flat()));
       this.#show('planes', new THREE.Line(edge, new THREE.LineBasicMaterial({color})), 2);
 
-      const arrows = drivingVectorsPhi.map(() => new Arrow(color));
+      const arrows = phi.map(() => new Arrow(color, 0.006));
       arrows.forEach((arrow) => this.#show('planes', arrow, 0));
-      const label = {text: this.hand.fingersOfSlot(slot).map(({name}) => name).join(', '), position: new THREE.Vector3(), layer: 'planes'};
+      const label = {text: this.hand.fingersOfSlot(slot).map(({name}) => name).join(', '), position: new THREE.Vector3(), layer: 'planes', height: 0.1};
       this.labels.push(label);
-      this.deforming.push({thetaPhi: Float64Array.from([...drivingVectorsPhi, Math.PI / 2].flatMap((phi) => [theta, phi])),
+      this.deforming.push({thetaPhi: Float64Array.from([...phi, Math.PI / 2].flatMap((angle) => [theta, angle])),
         place: (positions) => {
           arrows.forEach((arrow, j) => arrow.point(new THREE.Vector3(), new THREE.Vector3().fromArray(positions, 3 * j)));
-          label.position.fromArray(positions, 3 * arrows.length).multiplyScalar(1.08);
+          const end = new THREE.Vector3().fromArray(positions, 3 * arrows.length), length = end.length();
+          if (length > kVanished) label.position.copy(end).setLength(length + 0.2);
         }});
     });
   }
@@ -83,9 +101,9 @@ class SphereScene {
       this.labels.push({text, position: to.clone().multiplyScalar(1.06), layer, color});
     };
     const origin = new THREE.Vector3();
-    axis('axes', '#d3413c', origin, new THREE.Vector3(1.35, 0, 0), 'x');
-    axis('axes', '#3c9a45', origin, new THREE.Vector3(0, 1.35, 0), 'y');
-    axis('axes', '#3c6fd3', origin, new THREE.Vector3(0, 0, 1.35), 'z');
+    axis('axes', '#d3413c', origin, new THREE.Vector3(kAxisLength, 0, 0), 'x');
+    axis('axes', '#3c9a45', origin, new THREE.Vector3(0, kAxisLength, 0), 'y');
+    axis('axes', '#3c6fd3', origin, new THREE.Vector3(0, 0, kAxisLength), 'z');
 
     // the palm normal stands on the palm centre, the sphere's north pole
     const {palm_normal_palm: n, T_palm_sphere: T} = this.hand.data;
@@ -118,7 +136,8 @@ class SphereScene {
   /// @param action  of this hand: [5 + 5 V], rad and sphere radii
   deform(action) {
     for (const {thetaPhi, place} of this.deforming) {
-      const field = this.hand.solver.field(action, thetaPhi), positions = new Float32Array(field.length / 2 * 3);
+      const field = this.hand.solver.field(action, thetaPhi, {driving_vectors_phi: this.phi.flat()});
+      const positions = new Float32Array(field.length / 2 * 3);
       for (let i = 0; i < field.length / 2; ++i) {
         // a point of negative radius has vanished
         positions.set(spherePoint(field[2 * i], thetaPhi[2 * i + 1], Math.max(field[2 * i + 1], 0), this.hand.azimuthSign), 3 * i);
@@ -130,12 +149,13 @@ class SphereScene {
 
   setTheme({ink, paper}) {
     this.gridMaterial.color.set(ink);
+    this.unitMaterial.color.set(ink);
     for (const label of this.labels) {
       if (label.sprite) {
         this.layers[label.layer].remove(label.sprite);
         disposeDeep(label.sprite);
       }
-      label.sprite = labelSprite(label.text, label.color ?? ink, paper);
+      label.sprite = labelSprite(label.text, label.color ?? ink, paper, label.height);
       label.sprite.position.copy(label.position);
       this.layers[label.layer].add(label.sprite);
     }

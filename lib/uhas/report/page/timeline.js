@@ -8,10 +8,9 @@ class Timeline {
   constructor(session) {
     this.session = session;
     this.count = session.timeline.actions.length;
-    this.playing = null;  // the pending animation frame
     this.button = element('button', {type: 'button', id: 'timeline-play', onclick: () => this.#toggle()}, 'Play');
     this.slider = element('input', {type: 'range', id: 'timeline-frame', min: 0, max: this.count - 1, step: 1, 'aria-label': 'Solution',
-      oninput: () => { this.stop(); session.showFrame(this.slider.valueAsNumber); }});
+      oninput: () => { session.stop(); session.showFrame(this.slider.valueAsNumber); }});
     this.rate = element('select', {id: 'timeline-rate', 'aria-label': 'Solutions a second'},
       ...kRates.map((rate) => element('option', {value: rate}, `${rate}/s`)));
     this.rate.value = 10;
@@ -23,36 +22,24 @@ class Timeline {
   }
 
   #toggle() {
-    if (this.playing !== null) {
-      this.stop();
+    const {session} = this;
+    if (session.animation !== null) {
+      session.stop();
       return;
     }
-    const first = this.session.frame === this.count - 1 ? 0 : this.session.frame, start = performance.now();
-    const step = (now) => {
-      const frame = first + Math.floor(Math.max(now - start, 0) / 1000 * this.rate.value);
-      this.playing = frame < this.count - 1 ? requestAnimationFrame(step) : null;
-      if (frame !== this.session.frame || this.session.pose !== 'timeline') this.session.showFrame(Math.min(frame, this.count - 1));
-      this.#label();
-    };
-    this.playing = requestAnimationFrame(step);
-    this.#label();
-  }
-
-  stop() {
-    if (this.playing !== null) cancelAnimationFrame(this.playing);
-    this.playing = null;
-    this.#label();
-  }
-
-  #label() {
-    this.button.textContent = this.playing === null ? 'Play' : 'Pause';
+    const first = session.frame === this.count - 1 ? 0 : session.frame;
+    session.play((seconds) => {
+      const frame = Math.min(first + Math.floor(seconds * this.rate.value), this.count - 1);
+      if (frame !== session.frame || session.pose !== 'timeline') session.showFrame(frame);
+      return frame < this.count - 1;
+    });
   }
 
   #update() {
-    if (this.session.pose !== 'timeline' && this.playing !== null) this.stop();
-    this.slider.value = this.session.frame;
-    this.output.textContent = `${this.session.frame + 1} of ${this.count}` +
-      (this.session.pose === 'timeline' ? '' : ', left for the pose chosen');
+    const {session} = this, shown = session.pose === 'timeline';
+    this.button.textContent = session.animation === null ? 'Play' : 'Pause';
+    this.slider.value = session.frame;
+    this.output.textContent = `${session.frame + 1} of ${this.count}${shown ? '' : ', not shown'}`;
     this.slider.setAttribute('aria-valuetext', this.output.textContent);
   }
 }

@@ -5,7 +5,7 @@ const kFieldOfView = 32;  // degrees, vertical
 
 /// Directions to look from, in the sphere frame, with the middle finger up.
 const kStandpoints = {
-  oblique: {label: 'Oblique', from: [0.35, -0.75, 1]},
+  oblique: {label: 'Oblique', from: [0.3, 0.45, 1]},
   palm: {label: 'Palm', from: [0, 0, 1]},
   back: {label: 'Back', from: [0, 0, -1]},
   side: {label: 'Side', from: [0, -1, 0]},
@@ -19,20 +19,19 @@ class Viewer {
     const canvas = element('canvas', {'aria-hidden': 'true'});
     const context = canvas.getContext('webgl', {antialias: true, alpha: false}) ?? canvas.getContext('experimental-webgl');
     if (!context) throw new Error('this browser gives the page no WebGL, so the hands cannot be drawn');
-    this.container = container;
     this.session = session;
     this.renderer = new THREE.WebGLRenderer({canvas, context, antialias: true});
     this.renderer.setScissorTest(true);
     this.camera = new THREE.PerspectiveCamera(kFieldOfView, 1, 0.05, 60);
     this.camera.up.set(1, 0, 0);
-    this.headlight = new THREE.DirectionalLight('#ffffff', 0.75);
+    this.headlight = new THREE.DirectionalLight('#ffffff', 0.65);
     this.views = session.hands.map((hand) => this.#makeView(hand));
-    const cells = element('div', {class: 'cells', tabindex: 0, role: 'group',
+    this.cells = element('div', {class: 'cells', tabindex: 0, role: 'group',
       'aria-label': 'Three-dimensional views. Drag to turn, wheel to zoom, right drag or arrow keys to move'},
     ...this.views.map(({cell}) => cell));
-    container.append(canvas, cells);
+    container.append(canvas, this.cells);
     container.style.setProperty('--columns', Math.ceil(Math.sqrt(this.views.length)));
-    this.controls = new THREE.OrbitControls(this.camera, cells);
+    this.controls = new THREE.OrbitControls(this.camera, this.cells);
     this.controls.addEventListener('change', () => this.requestDraw());
     canvas.addEventListener('webglcontextrestored', () => this.requestDraw());
     new ResizeObserver(() => this.requestDraw()).observe(container);
@@ -69,27 +68,28 @@ class Viewer {
 
   /// Puts the camera to a standpoint from which the open and the wrapped hands are whole.
   lookFrom(name) {
-    const box = new THREE.Box3();
-    for (const {drawn, hand} of this.views) {
-      for (const pose of ['q_open', 'q_sphere']) {
-        drawn.pose(hand.poses[pose]);
-        box.union(drawn.box());
-      }
-    }
-    box.union(new THREE.Box3(new THREE.Vector3(-1, -1, -1), new THREE.Vector3(1, 1, 1)));
+    const points = this.views.flatMap(({drawn, hand}) => ['q_open', 'q_sphere'].flatMap((pose) => {
+      drawn.pose(hand.poses[pose]);
+      return drawn.corners();
+    }));
     this.#update();
+    for (let i = 0; i < 6; ++i) points.push(new THREE.Vector3().setComponent(i % 3, i < 3 ? kAxisLength + 0.1 : -1.05));
 
-    const target = box.getCenter(new THREE.Vector3());
+    // the middle of what is seen, and the distance at which all of it is
     const from = new THREE.Vector3(...kStandpoints[name].from).normalize();
-    const right = new THREE.Vector3().crossVectors(this.camera.up, from).normalize(), up = new THREE.Vector3().crossVectors(from, right);
-    this.#fitAspect();
-    const tangent = Math.tan(kFieldOfView / 2 / kDegrees) * 0.96;
-    let distance = 0;
-    for (let corner = 0; corner < 8; ++corner) {
-      const p = new THREE.Vector3(...['x', 'y', 'z'].map((axis, bit) => box[corner >> bit & 1 ? 'max' : 'min'][axis])).sub(target);
-      const reach = Math.max(Math.abs(p.dot(up)), Math.abs(p.dot(right)) / this.camera.aspect);
-      distance = Math.max(distance, p.dot(from) + reach / tangent);
+    const right = new THREE.Vector3().crossVectors(this.camera.up, from).normalize();
+    const up = new THREE.Vector3().crossVectors(from, right);
+    const target = new THREE.Vector3();
+    for (const axis of [right, up]) {
+      const along = points.map((point) => point.dot(axis));
+      target.addScaledVector(axis, (Math.min(...along) + Math.max(...along)) / 2);
     }
+    this.#fitAspect();
+    const tangent = 0.92 * Math.tan(kFieldOfView / 2 / kDegrees);  // leaves a margin
+    const distance = Math.max(...points.map((point) => {
+      const p = point.clone().sub(target);
+      return p.dot(from) + Math.max(Math.abs(p.dot(up)), Math.abs(p.dot(right)) / this.camera.aspect) / tangent;
+    }));
     this.controls.target.copy(target);
     this.camera.position.copy(target).addScaledVector(from, distance);
     this.controls.update();
@@ -123,7 +123,7 @@ class Viewer {
   }
 
   #draw() {
-    const whole = this.container.getBoundingClientRect();
+    const whole = this.cells.getBoundingClientRect();
     if (whole.width === 0 || whole.height === 0) return;
     this.renderer.setPixelRatio(window.devicePixelRatio);
     this.renderer.setSize(whole.width, whole.height, false);

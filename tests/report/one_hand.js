@@ -1,0 +1,80 @@
+// The report on one hand in a browser: its inputs move the joints to where uhas-solve puts them, and its drawing follows.
+// Pictures of zeros, spread and all closed stay in FOLDER/<hand>/.
+//
+//   node one_hand.js --bin BIN --folder FOLDER --hand NAME|real/NAME
+'use strict';
+
+const assert = require('node:assert');
+const path = require('node:path');
+const {ReportPage, assertJoints, launch} = require('./browser.js');
+const {Tools, options} = require('./tools.js');
+
+async function main({bin, folder, hand: name}) {
+  const tools = new Tools(bin, path.join(folder, name.replace('/', '_')));
+  const hand = tools.hand(name);
+  const html = tools.report('report.html', hand);
+  const browser = await launch(folder);
+  try {
+    const report = await ReportPage.open(browser, html);
+    assert.strictEqual(await report.error(), null);
+    const zeros = await theZeroAction(report, tools, hand);
+    const spread = await aPreset(report, tools, hand, 'spread');
+    await aSlider(report, tools, hand);
+    const closed = await aPreset(report, tools, hand, 'closed');
+    assert(!zeros.equals(spread) && !zeros.equals(closed) && !spread.equals(closed), 'the drawing does not follow the action');
+    await thePoses(report, hand);
+    await report.assertIdle();
+    report.assertQuiet();
+  } finally {
+    await browser.close();
+  }
+}
+
+/// Zeros are the hand on the undeformed sphere.
+async function theZeroAction(report, tools, hand) {
+  const [shown] = await report.assertSolved(tools, [hand]);
+  assert(shown.action.every((value) => value === 0));
+  assertJoints(shown, hand.summary.joint_names, hand.summary.joint_names.map((joint) => hand.summary.q_sphere[joint]));
+  await report.picture(tools.file('zero.png'));
+  return report.drawing();
+}
+
+async function aPreset(report, tools, hand, preset) {
+  await report.page.click(`#preset-${preset}`);
+  await report.assertSolved(tools, [hand]);
+  await report.picture(tools.file(`${preset}.png`));
+  return report.drawing();
+}
+
+/// A slider by mouse and by keyboard; the table says what the solver does.
+async function aSlider(report, tools, hand) {
+  await report.page.click('#preset-zero');
+  const slider = report.page.locator('#r-3-0'), {width, height} = await slider.boundingBox();
+  await slider.click({position: {x: 0.35 * width, y: height / 2}});
+  await report.page.keyboard.press('ArrowLeft');
+  const [{action, q, jointNames}] = await report.assertSolved(tools, [hand]);
+  assert(action[11] < -0.3 && action[11] > -0.9, `the slider was set to ${action[11]}`);
+  assert(action.every((value, i) => value === 0 || i === 11), 'one slider moved several inputs');
+
+  const cells = await report.page.locator('#joints tbody tr').evaluateAll((rows) => rows.map((row) => row.cells[9].textContent));
+  const kinds = await report.page.locator('#joints tbody tr').evaluateAll((rows) => rows.map((row) => row.cells[1].textContent));
+  q.forEach((value, i) => {
+    assert(kinds[i].startsWith(jointNames[i]));
+    const unit = kinds[i].endsWith('(mm)') ? 1000 : 180 / Math.PI;
+    assert(Math.abs(Number(cells[i].replace('\u2212', '-')) - value * unit) <= 0.0501, `${jointNames[i]} reads ${cells[i]} in the table`);
+  });
+}
+
+/// The stored poses, as the profile has them.
+async function thePoses(report, hand) {
+  for (const pose of ['q_open', 'q_sphere', 'q_closed']) {
+    await report.page.check(`#pose-${pose}`);
+    const [shown] = await report.hands();
+    assertJoints(shown, hand.summary.joint_names, hand.summary.joint_names.map((joint) => hand.summary[pose][joint]));
+  }
+}
+
+main(options()).catch((error) => {
+  console.error(error);
+  process.exit(1);
+});

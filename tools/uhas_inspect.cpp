@@ -3,11 +3,10 @@
 #include <iostream>
 
 #include "common/findings.hpp"
-#include "common/hand_input.hpp"
 #include "common/json_value.hpp"
-#include "common/model_input.hpp"
 #include "common/profile_check.hpp"
 #include "common/profile_summary.hpp"
+#include "common/report_file.hpp"
 #include "common/table.hpp"
 #include "uhas/profile_io/read_profile.hpp"
 #include "uhas/profile_io/reseal_profile.hpp"
@@ -20,29 +19,30 @@ namespace {
 constexpr std::size_t kFailuresNamed = 3;  // in the error line; the table has them all
 
 struct Options {
-  std::string profile, urdf;
-  std::vector<PackageFolder> packages;
+  std::vector<std::string> profiles;
+  std::string checked_urdf, html;
+  ModelInput model;
   std::string value;  // key of the summary
   bool findings = false, validate = false, reseal = false;
 };
 
 void add_options(CLI::App& app, Options& options) {
   app.description("Shows what a hand profile says: palm, sphere, fingers, joints and poses.");
-  app.add_option("profile.h5", options.profile, "Hand profile")->required()->type_name("FILE");
+  app.add_option("profile.h5", options.profiles, "Hand profile; several with --html")->required()->type_name("FILE");
   app.add_option("-g,--get", options.value,
                  "Print one value of the JSON summary instead, for example sphere.radius or fingers.0.name")
       ->type_name("KEY");
   app.add_flag("--findings", options.findings, "Show also what was inferred of the hand, how surely and why");
   app.add_flag("--validate", options.validate, "Check instead that the profile is sound; exit 1 when it is not");
-  app.add_option("--check", options.urdf,
+  app.add_option("--check", options.checked_urdf,
                  "Check instead that the profile was built from this URDF and its meshes; exit 1 when not")
       ->type_name("hand.urdf");
-  add_package_option(app, options.packages);
+  add_html_option(app, options.html, "Write instead a page that shows the hand and lets it move, in any browser, offline");
+  add_model_options(app, options.model);
   app.add_flag("--reseal", options.reseal, "Make a profile that was edited with an HDF5 tool readable again");
 }
 
-ExitCode report(const Tool& tool, const Options& options, const HandProfile& profile,
-                const std::vector<Check>& checks) {
+ExitCode report(const Tool& tool, const std::string& path, const HandProfile& profile, const std::vector<Check>& checks) {
   const bool passed = std::ranges::all_of(checks, &Check::passed);
   if (tool.json()) {
     std::cout << to_text(profile_check_json(profile, checks));
@@ -62,27 +62,40 @@ ExitCode report(const Tool& tool, const Options& options, const HandProfile& pro
     failed.resize(kFailuresNamed);
     failed.push_back(rest);
   }
-  tool.report_error(options.profile + ": check failed: " + join(failed, ", ") + "; rebuild it with uhas-build-profile");
+  tool.report_error(path + ": check failed: " + join(failed, ", ") + "; rebuild it with uhas-build-profile");
   return ExitCode::run_failed;
+}
+
+ExitCode write_page(const Tool& tool, const Options& options) {
+  std::vector<ProfileFile> files;
+  for (const std::string& path : options.profiles) files.push_back({path, read_profile(path)});
+  write_report(options.html, report_hands(tool, files, options.model));
+  tool.log("wrote " + options.html);
+  return ExitCode::done;
 }
 
 ExitCode run(Tool& tool) {
   Options options;
   add_options(tool.options(), options);
   tool.parse();
+  if (options.html.empty() && options.profiles.size() > 1) throw Tool::wrong_usage("profile.h5", "several profiles need --html");
+  if (options.html.empty() && !options.model.urdfs.empty()) throw Tool::wrong_usage("--urdf", "needs --html");
 
   if (options.reseal) {
-    reseal_profile(options.profile);
-    tool.log("resealed " + options.profile);
+    for (const std::string& path : options.profiles) reseal_profile(path);
+    tool.log("resealed " + join(options.profiles, ", "));
   }
-  const HandProfile profile = read_profile(options.profile);
-  if (options.validate || !options.urdf.empty()) {
+  if (!options.html.empty()) return write_page(tool, options);
+
+  const std::string& path = options.profiles.front();
+  const HandProfile profile = read_profile(path);
+  if (options.validate || !options.checked_urdf.empty()) {
     std::vector<Check> checks;
     if (options.validate) checks = check_behaviour(profile);
-    if (!options.urdf.empty())
-      std::ranges::copy(check_sources(profile, load_model_of(profile, options.profile, options.urdf, options.packages)),
+    if (!options.checked_urdf.empty())
+      std::ranges::copy(check_sources(profile, load_model_of(profile, path, options.checked_urdf, options.model.packages)),
                         std::back_inserter(checks));
-    return report(tool, options, profile, checks);
+    return report(tool, path, profile, checks);
   }
 
   if (!options.value.empty()) {

@@ -5,6 +5,7 @@
 #include "common/actions.hpp"
 #include "common/json_lines.hpp"
 #include "common/output.hpp"
+#include "common/report_file.hpp"
 #include "common/solution.hpp"
 #include "common/tool.hpp"
 #include "uhas/profile_io/read_profile.hpp"
@@ -15,7 +16,8 @@ using namespace uhas::tools;
 namespace {
 
 struct Options {
-  std::string actions, profile, output;
+  std::string actions, profile, output, html;
+  ModelInput model;
   std::optional<SolveOptions> convention;
   std::optional<Rule> rule;
   std::optional<Closing> closing;
@@ -61,11 +63,14 @@ void add_options(CLI::App& app, Options& options) {
       ->allow_extra_args(false)
       ->option_text("A,B,C");
   app.add_flag("--actuated-only", options.joints.actuated_only, "Leave out joints that follow another one");
+  add_html_option(app, options.html, "Write also a page that plays the solutions on the hand, in any browser, offline");
+  add_model_options(app, options.model);
 }
 
 ExitCode solve_stream(const Tool& tool, const Options& options) {
   if (options.profile.empty()) throw Tool::wrong_usage("--profile", "needed when actions come from standard input");
   if (!options.output.empty()) throw Tool::wrong_usage("--output", "a stream of solutions goes to standard output");
+  if (!options.html.empty()) throw Tool::wrong_usage("--html", "needs a file of actions");
   const HandProfile profile = read_profile(options.profile);
   SolutionMaker maker(profile, options.solve_options(kUhas), options.joints);
   const std::size_t failed = answer_json_lines(std::cin, std::cout, [&](const std::string& line) {
@@ -78,13 +83,26 @@ ExitCode solve_stream(const Tool& tool, const Options& options) {
   return ExitCode::run_failed;
 }
 
-ExitCode solve_file(const Options& options) {
+/// The page of a file of actions. It knows one convention, and one set of driving vectors for all planes.
+void write_page(const Tool& tool, const Options& options, const ActionsDocument& document, const ProfileFile& file,
+                const SolveOptions& solve) {
+  if (solve.convention != ActionConvention{})
+    throw Tool::wrong_usage("--html", "shows actions of uhas' own convention only");
+  if (document.driving_vectors_phi.size() > kMaxDrivingVectors)
+    throw Tool::wrong_usage("--html", "shows actions with the same driving vectors in all planes only");
+  std::vector<ReportHand> hands = report_hands(tool, {&file, 1}, options.model);
+  hands.front().timeline = {document.actions, document.driving_vectors_phi, document.normalized, solve};
+  write_report(options.html, hands);
+}
+
+ExitCode solve_file(const Tool& tool, const Options& options) {
   const ActionsDocument document = read_actions(options.actions);
   const std::string profile_path = options.profile.empty() ? document.profile : options.profile;
   if (profile_path.empty())
     throw Tool::wrong_usage("--profile", "needed because " + options.actions + " does not name a hand profile");
   const HandProfile profile = read_profile(profile_path);
-  SolutionMaker maker(profile, options.solve_options(document.convention), options.joints);
+  const SolveOptions solve = options.solve_options(document.convention);
+  SolutionMaker maker(profile, solve, options.joints);
 
   Json solutions = Json::array();
   for (std::size_t i = 0; i < document.actions.size(); ++i)
@@ -94,6 +112,7 @@ ExitCode solve_file(const Options& options) {
   result["hand"] = profile.hand;
   result["joint_names"] = maker.joint_names();
   result["solutions"] = solutions;
+  if (!options.html.empty()) write_page(tool, options, document, {profile_path, profile}, solve);
   write_result(options.output, to_text(result));
   return ExitCode::done;
 }
@@ -102,7 +121,8 @@ ExitCode run(Tool& tool) {
   Options options;
   add_options(tool.options(), options);
   tool.parse();
-  return options.actions == "-" ? solve_stream(tool, options) : solve_file(options);
+  if (options.html.empty() && !options.model.urdfs.empty()) throw Tool::wrong_usage("--urdf", "needs --html");
+  return options.actions == "-" ? solve_stream(tool, options) : solve_file(tool, options);
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ void add_model_options(CLI::App& app, ModelInput& input) {
   app.add_option("--urdf", input.urdfs,
                  "URDF that the profile was built from, for its meshes; repeatable [the one beside the profile or in this folder]")
       ->allow_extra_args(false)
-      ->type_name("FILE");
+      ->option_text("FILE");
   add_package_option(app, input.packages);
 }
 

@@ -186,11 +186,15 @@ Json names_where(const HandProfile& profile, const std::vector<std::uint8_t>& fl
   return names;
 }
 
-Json options_json(const SolveOptions& options) {
-  return {{"rule", options.rule == Rule::contact ? "contact" : "correspondence"},
-          {"closing", options.closing == Closing::hard ? "hard" : "fade"},
-          {"field", options.field == FieldReading::field ? "field" : "finger"},
-          {"passes", options.passes}};
+/// As the page's solver takes them.
+Json options_json(const ReportTimeline& timeline) {
+  const SolveOptions& options = timeline.options;
+  Json document{{"rule", options.rule == Rule::contact ? "contact" : "correspondence"},
+                {"closing", options.closing == Closing::hard ? "hard" : "fade"},
+                {"field", options.field == FieldReading::field ? "field" : "finger"},
+                {"passes", options.passes}};
+  if (!timeline.driving_vectors_phi.empty()) document["driving_vectors_phi"] = timeline.driving_vectors_phi;
+  return document;
 }
 
 Json timeline_json(const HandProfile& profile, const ReportTimeline& timeline) {
@@ -216,7 +220,7 @@ Json timeline_json(const HandProfile& profile, const ReportTimeline& timeline) {
     shut.push_back(names_where(profile, closed));
   }
   return {{"actions", actions},  {"q", qs},        {"residual_rms", residuals},
-          {"at_limit", limited}, {"closed", shut}, {"options", options_json(timeline.options)}};
+          {"at_limit", limited}, {"closed", shut}, {"options", options_json(timeline)}};
 }
 
 /// The driving vectors that the page starts with: the timeline's.

@@ -6,7 +6,7 @@ const kMostNamed = 4;     // joints named in a view; the table has them all
 
 /// Directions to look from, in the sphere frame, with the middle finger up.
 const kStandpoints = {
-  oblique: {label: 'Oblique', from: [0.3, 0.45, 1]},
+  oblique: {label: 'Oblique', from: [0.1, 0.45, 1]},
   palm: {label: 'Palm', from: [0, 0, 1]},
   back: {label: 'Back', from: [0, 0, -1]},
   side: {label: 'Side', from: [0, -1, 0]},

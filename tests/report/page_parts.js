@@ -1,5 +1,6 @@
-// The parts of the page that do not depend on the hand: layers, standpoints, the animation, numbers as text, options of the
-// solver; the page in the dark, in a narrow window, without WebGL, without a model, and around a document that it cannot show.
+// The parts of the page that do not depend on the hand: layers, standpoints, the animation, numbers as text, options of
+// the solver; the page in the dark, in a narrow window, without WebGL, without a model, and around a document that it
+// cannot show.
 //
 //   node page_parts.js --bin BIN --folder FOLDER
 'use strict';
@@ -11,6 +12,7 @@ const {ReportPage, launch} = require('./browser.js');
 const {Tools, options} = require('./tools.js');
 
 const MOST_PICTURE_BYTES = 400e3;  // of the picture for the README
+const SMALL = {width: 900, height: 600};  // the drawing is compared often and rendered in software
 const GENTLE = [0.25, 0.1, 0, -0.15, 0, -0.1, -0.35, 0, -0.1, 0.1, 0.25, -0.15, -0.45, -0.2, -0.3];
 
 async function main({bin, folder}) {
@@ -21,6 +23,7 @@ async function main({bin, folder}) {
   try {
     const report = await ReportPage.open(browser, html);
     await thePicture(report, tools);
+    await report.page.setViewportSize(SMALL);
     await theLayers(report);
     await theStandpoints(report);
     await theAnimation(report, tools, hand);
@@ -146,8 +149,9 @@ async function noModel(browser, hand, tools) {
 /// A document of another version, or a damaged hand, is refused in words.
 async function aForeignDocument(browser, html, tools) {
   const text = fs.readFileSync(html, 'utf8'), foreign = tools.file('foreign.html');
-  for (const [from, to, words] of [[/"format":\s*"uhas-report",\s*"version":\s*1/, '"format":"uhas-report","version":2', /version|uhas-report 2/],
-    [/("image":\s*)"[^"]{400}/, '$1"', /./]]) {
+  const version = [/"format":"uhas-report","version":1/, '"format":"uhas-report","version":2', /uhas-report 2/];
+  const image = [/"image":"[^"]{400}/, '"image":"', /hand|profile/];
+  for (const [from, to, words] of [version, image]) {
     assert.match(text, from);
     fs.writeFileSync(foreign, text.replace(from, to));
     const report = await ReportPage.open(browser, foreign);

@@ -21,7 +21,10 @@ async function main({bin, folder, hand: name}) {
     const spread = await aPreset(report, tools, hand, 'spread');
     await aSlider(report, tools, hand);
     const closed = await aPreset(report, tools, hand, 'closed');
-    assert(!zeros.equals(spread) && !zeros.equals(closed) && !spread.equals(closed), 'the drawing does not follow the action');
+    const turns = hand.summary.fingers.some((finger) => finger.lateral_joint !== null);
+    assert.strictEqual(!zeros.equals(spread), turns, 'the drawing does not follow the lateral inputs');
+    assert(!zeros.equals(closed), 'the drawing does not follow the radial inputs');
+    await theSidewaysInputs(report, hand);
     await thePoses(report, hand);
     await report.assertIdle();
     report.assertQuiet();
@@ -63,6 +66,17 @@ async function aSlider(report, tools, hand) {
     const unit = kinds[i].endsWith('(mm)') ? 1000 : 180 / Math.PI;
     assert(Math.abs(Number(cells[i].replace('\u2212', '-')) - value * unit) <= 0.0501, `${jointNames[i]} reads ${cells[i]} in the table`);
   });
+}
+
+/// A slot whose finger has no lateral joint has an input that is off and says why.
+async function theSidewaysInputs(report, hand) {
+  for (let slot = 0; slot < 5; ++slot) {
+    const turns = hand.summary.fingers.some(({slots, lateral_joint: joint}) => slots.includes(slot) && joint !== null);
+    const slider = report.page.locator(`#theta-${slot}`);
+    assert.strictEqual(await slider.isEnabled(), turns, `slot ${slot}`);
+    const words = await slider.locator('xpath=ancestor::fieldset').textContent();
+    assert.strictEqual(words.includes('no lateral joint'), !turns, words);
+  }
 }
 
 /// The stored poses, as the profile has them.

@@ -11,7 +11,7 @@ const {ReportPage, launch} = require('./browser.js');
 const {Tools, options} = require('./tools.js');
 
 const MOST_PICTURE_BYTES = 400e3;  // of the picture for the README
-const GENTLE = [0.3, 0.1, 0, -0.15, 0, -0.1, -0.35, 0, -0.1, 0.1, 0.25, -0.15, -0.45, -0.2, -0.3];
+const GENTLE = [0.25, 0.1, 0, -0.15, 0, -0.1, -0.35, 0, -0.1, 0.1, 0.25, -0.15, -0.45, -0.2, -0.3];
 
 async function main({bin, folder}) {
   const tools = new Tools(bin, path.join(folder, 'page_parts'));

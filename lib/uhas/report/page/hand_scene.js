@@ -42,14 +42,18 @@ class HandScene {
     }
   }
 
-  /// A pin along the joint's axis, thinner for a joint that follows another one.
+  /// A pin along the joint's axis, thinner for a joint that follows another one; where the hand hides it, it shines through.
   #addMarker(joint) {
-    const r = this.hand.data.radius, thickness = (joint.mimic === null ? 0.032 : 0.018) * r;
-    const pin = new THREE.Mesh(new THREE.CylinderBufferGeometry(thickness, thickness, 0.4 * r, 12),
-      new THREE.MeshLambertMaterial({color: kClassColors[joint.class ?? 'other']}));
-    pin.position.fromArray(joint.origin);
-    pin.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), new THREE.Vector3(...joint.axis));
-    this.#attach('joints', joint.link, new THREE.Group().add(pin));
+    const r = this.hand.data.radius, thickness = (joint.mimic === null ? 0.026 : 0.015) * r;
+    const color = kClassColors[joint.class ?? 'other'], geometry = new THREE.CylinderBufferGeometry(thickness, thickness, 0.4 * r, 12);
+    const pin = new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({color}));
+    const within = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({color, transparent: true, opacity: 0.25, depthTest: false}));
+    within.renderOrder = 5;
+    for (const mesh of [pin, within]) {
+      mesh.position.fromArray(joint.origin);
+      mesh.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), new THREE.Vector3(...joint.axis));
+    }
+    this.#attach('joints', joint.link, new THREE.Group().add(pin, within));
   }
 
   /// Lines from the palm's frame over the joints' origins to the fingertips.
@@ -65,9 +69,10 @@ class HandScene {
     });
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute('position', new THREE.BufferAttribute(new Float32Array(3 * this.bones.length), 3));
-    this.boneMaterial = new THREE.LineBasicMaterial();
+    this.boneMaterial = new THREE.LineBasicMaterial({depthTest: false});  // it lies within the hand
     this.layers.skeleton.add(new THREE.LineSegments(geometry, this.boneMaterial));
     this.layers.skeleton.children[0].frustumCulled = false;  // its vertices move
+    this.layers.skeleton.children[0].renderOrder = 6;
   }
 
   /// @param q  joint values, the order of the profile

@@ -4,7 +4,7 @@
 const kSliderSteps = 200;  // from zero to a bound, so that zero is a step of its own
 
 /// Inputs for the presets, by slot: sideways from the middle finger outward, -1..1; displacement in radii.
-const kSpread = [1, 0.5, 0, -1, -1];
+const kSpread = [1, 0.5, 0, -1, -0.5];
 const kClosed = -kRadialBound;
 const kSecondsPerFinger = 0.9;
 

@@ -36,6 +36,7 @@ function layOut(session) {
     followTheme(viewer);
     viewer.lookFrom('oblique');
   } catch (error) {
+    stage.classList.add('undrawn');
     stage.replaceChildren(element('p', {role: 'alert', class: 'failure'}, `${sentence(error)} Inputs, tables and plots still work.`));
   }
   controls.append(solverPanel(session));

@@ -41,7 +41,7 @@ function sphereColors(thetaPhi) {
 function colorKeyCanvas(size) {
   const canvas = element('canvas', {width: size, height: size, role: 'img', 'aria-label':
     'Colours of sphere coordinates: hue is azimuth theta, lightness falls from the palm pole in the middle'});
-  const context = canvas.getContext('2d');
+  const context = canvas.getContext('2d', {willReadFrequently: true});
   const image = context.createImageData(size, size);
   for (let row = 0; row < size; ++row) {
     for (let column = 0; column < size; ++column) {

@@ -88,7 +88,7 @@ class SphereScene {
         place: (positions) => {
           arrows.forEach((arrow, j) => arrow.point(new THREE.Vector3(), new THREE.Vector3().fromArray(positions, 3 * j)));
           const end = new THREE.Vector3().fromArray(positions, 3 * arrows.length), length = end.length();
-          if (length > kVanished) label.position.copy(end).setLength(length + 0.2);
+          if (length > kVanished) label.position.copy(end).setLength(length + (slot % 2 ? 0.34 : 0.2));  // neighbours side by side
         }});
     });
   }
@@ -98,7 +98,7 @@ class SphereScene {
       const arrow = new Arrow(color, 0.012);
       arrow.point(from, to);
       this.#show(layer, arrow, 0);
-      this.labels.push({text, position: to.clone().multiplyScalar(1.06), layer, color});
+      this.labels.push({text, position: to.clone().multiplyScalar(1.08), layer, color});
     };
     const origin = new THREE.Vector3();
     axis('axes', '#d3413c', origin, new THREE.Vector3(kAxisLength, 0, 0), 'x');

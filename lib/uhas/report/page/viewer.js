@@ -2,10 +2,11 @@
 'use strict';
 
 const kFieldOfView = 32;  // degrees, vertical
+const kMostNamed = 4;     // joints named in a view; the table has them all
 
 /// Directions to look from, in the sphere frame, with the middle finger up.
 const kStandpoints = {
-  oblique: {label: 'Oblique', from: [0.3, 0.45, 1]},
+  oblique: {label: 'Oblique', from: [0.1, 0.45, 1]},
   palm: {label: 'Palm', from: [0, 0, 1]},
   back: {label: 'Back', from: [0, 0, -1]},
   side: {label: 'Side', from: [0, -1, 0]},
@@ -73,7 +74,7 @@ class Viewer {
       return drawn.corners();
     }));
     this.#update();
-    for (let i = 0; i < 6; ++i) points.push(new THREE.Vector3().setComponent(i % 3, i < 3 ? kAxisLength + 0.1 : -1.05));
+    for (let i = 0; i < 6; ++i) points.push(new THREE.Vector3().setComponent(i % 3, i < 3 ? kAxisLength + 0.2 : -1.05));
 
     // the middle of what is seen, and the distance at which all of it is
     const from = new THREE.Vector3(...kStandpoints[name].from).normalize();
@@ -101,9 +102,12 @@ class Viewer {
       const {drawn, sphere, hand, status} = this.views[i];
       drawn.pose(q);
       sphere.deform(action);
-      const named = (flags) => hand.jointNames.filter((_, j) => flags[j]).join(', ');
-      status.textContent = [Number.isNaN(residualRms) ? '' : `residual ${fixed(residualRms, 3)} radii`,
-        named(atLimit) && `at limit: ${named(atLimit)}`, named(closed) && `closed: ${named(closed)}`].filter(Boolean).join(' · ');
+      const named = (label, flags) => {
+        const names = hand.jointNames.filter((_, j) => flags[j]);
+        return names.length && `${label}: ${names.length > kMostNamed ? `${names.length} joints` : names.join(', ')}`;
+      };
+      status.textContent = [Number.isNaN(residualRms) ? '' : `residual ${fixed(residualRms, 3)} radii`, named('at limit', atLimit),
+        named('closed', closed)].filter(Boolean).join(' · ');
     });
     this.requestDraw();
   }

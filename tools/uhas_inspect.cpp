@@ -4,9 +4,9 @@
 
 #include "common/findings.hpp"
 #include "common/json_value.hpp"
+#include "common/pictures.hpp"
 #include "common/profile_check.hpp"
 #include "common/profile_summary.hpp"
-#include "common/report_file.hpp"
 #include "common/table.hpp"
 #include "uhas/profile_io/read_profile.hpp"
 #include "uhas/profile_io/reseal_profile.hpp"
@@ -20,15 +20,16 @@ constexpr std::size_t kFailuresNamed = 3;  // in the error line; the table has t
 
 struct Options {
   std::vector<std::string> profiles;
-  std::string checked_urdf, html;
-  ModelInput model;
+  std::string checked_urdf;
   std::string value;  // key of the summary
+  ModelInput model;
+  PictureFiles pictures;
   bool findings = false, validate = false, reseal = false;
 };
 
 void add_options(CLI::App& app, Options& options) {
   app.description("Shows what a hand profile says: palm, sphere, fingers, joints and poses.");
-  app.add_option("profile.h5", options.profiles, "Hand profile; several with --html")->required()->type_name("FILE");
+  app.add_option("profile.h5", options.profiles, "Hand profile; several with --html")->required()->option_text("FILE... REQUIRED");
   app.add_option("-g,--get", options.value,
                  "Print one value of the JSON summary instead, for example sphere.radius or fingers.0.name")
       ->type_name("KEY");
@@ -37,7 +38,7 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--check", options.checked_urdf,
                  "Check instead that the profile was built from this URDF and its meshes; exit 1 when not")
       ->type_name("hand.urdf");
-  add_html_option(app, options.html, "Write instead a page that shows the hand and lets it move, in any browser, offline");
+  add_picture_options(app, options.pictures);
   add_model_options(app, options.model);
   app.add_flag("--reseal", options.reseal, "Make a profile that was edited with an HDF5 tool readable again");
 }
@@ -66,29 +67,33 @@ ExitCode report(const Tool& tool, const std::string& path, const HandProfile& pr
   return ExitCode::run_failed;
 }
 
-ExitCode write_page(const Tool& tool, const Options& options) {
-  std::vector<ProfileFile> files;
-  for (const std::string& path : options.profiles) files.push_back({path, read_profile(path)});
-  write_report(options.html, report_hands(tool, files, options.model));
-  tool.log("wrote " + options.html);
-  return ExitCode::done;
+/// What the options cannot do together.
+void check_usage(const Options& options) {
+  const PictureFiles& pictures = options.pictures;
+  if (options.profiles.size() > 1) {
+    const bool asks_for_one = options.validate || !options.checked_urdf.empty() || !pictures.glb.empty() || !pictures.ply.empty() ||
+                              !pictures.svg.empty();
+    if (pictures.html.empty() || asks_for_one) throw Tool::wrong_usage("profile.h5", "several profiles are for --html alone");
+  }
+  if (!options.model.urdfs.empty() && pictures.html.empty() && pictures.glb.empty())
+    throw Tool::wrong_usage("--urdf", "needs --html or --gltf");
 }
 
 ExitCode run(Tool& tool) {
   Options options;
   add_options(tool.options(), options);
   tool.parse();
-  if (options.html.empty() && options.profiles.size() > 1) throw Tool::wrong_usage("profile.h5", "several profiles need --html");
-  if (options.html.empty() && !options.model.urdfs.empty()) throw Tool::wrong_usage("--urdf", "needs --html");
+  check_usage(options);
 
-  if (options.reseal) {
-    for (const std::string& path : options.profiles) reseal_profile(path);
-    tool.log("resealed " + join(options.profiles, ", "));
+  std::vector<ProfileFile> files;
+  for (const std::string& path : options.profiles) {
+    if (options.reseal) {
+      reseal_profile(path);
+      tool.log("resealed " + path);
+    }
+    files.push_back({path, read_profile(path)});
   }
-  if (!options.html.empty()) return write_page(tool, options);
-
-  const std::string& path = options.profiles.front();
-  const HandProfile profile = read_profile(path);
+  const auto& [path, profile] = files.front();
   if (options.validate || !options.checked_urdf.empty()) {
     std::vector<Check> checks;
     if (options.validate) checks = check_behaviour(profile);
@@ -98,6 +103,10 @@ ExitCode run(Tool& tool) {
     return report(tool, path, profile, checks);
   }
 
+  if (options.pictures.any()) {
+    write_pictures(tool, options.pictures, files, options.model);
+    return ExitCode::done;
+  }
   if (!options.value.empty()) {
     std::cout << to_plain_line(value_at(profile_summary_json(profile), options.value));
     return ExitCode::done;

@@ -5,7 +5,7 @@
 #include "common/actions.hpp"
 #include "common/json_lines.hpp"
 #include "common/output.hpp"
-#include "common/report_file.hpp"
+#include "common/report_page.hpp"
 #include "common/solution.hpp"
 #include "common/tool.hpp"
 #include "uhas/profile_io/read_profile.hpp"
@@ -63,7 +63,7 @@ void add_options(CLI::App& app, Options& options) {
       ->allow_extra_args(false)
       ->option_text("A,B,C");
   app.add_flag("--actuated-only", options.joints.actuated_only, "Leave out joints that follow another one");
-  add_html_option(app, options.html, "Write also a page that plays the solutions on the hand, in any browser, offline");
+  app.add_option("--html", options.html, "Draw also the solutions, played on the hand, as a page for any browser, offline")->type_name("hand.html");
   add_model_options(app, options.model);
 }
 
@@ -90,9 +90,9 @@ void write_page(const Tool& tool, const Options& options, const ActionsDocument&
     throw Tool::wrong_usage("--html", "shows actions of uhas' own convention only");
   if (document.driving_vectors_phi.size() > kMaxDrivingVectors)
     throw Tool::wrong_usage("--html", "shows actions with the same driving vectors in all planes only");
-  std::vector<ReportHand> hands = report_hands(tool, {&file, 1}, options.model);
+  std::vector<ReportHand> hands = report_hands({&file, 1}, find_geometries(tool, {&file, 1}, options.model));
   hands.front().timeline = {document.actions, document.driving_vectors_phi, document.normalized, solve};
-  write_report(options.html, hands);
+  write_result(options.html, report_page(hands));
 }
 
 ExitCode solve_file(const Tool& tool, const Options& options) {

@@ -27,7 +27,7 @@ ROOMS = {
     "profile_builder": ["base", "profile", "runtime", "model", "anatomy", "sphere_frame", "classification", "wrap",
                         "lateral_tables", "correspondences"],
     "geometry": ["base", "profile", "model"],
-    "report": ["base", "profile", "profile_io", "runtime", "geometry"],
+    "report": ["base", "profile", "profile_io", "runtime", "model", "geometry"],
 }
 
 # The rooms that may include a library; every other library but C++'s and the system's own is for nobody in lib.
@@ -38,7 +38,7 @@ LIBRARIES = {
     "urdf_model": ["model"],
     "tinyxml": ["model"],
     "console_bridge": ["model"],
-    "assimp": ["model"],
+    "assimp": ["model", "report"],
     "nlohmann": ["model", "anatomy", "profile_builder", "report"],
     "embree3": ["correspondences"],
     "embree4": ["correspondences"],

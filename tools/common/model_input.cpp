@@ -48,7 +48,7 @@ void add_model_options(CLI::App& app, ModelInput& input) {
   app.add_option("--urdf", input.urdfs,
                  "URDF that the profile was built from, for its meshes; repeatable [the one beside the profile or in this folder]")
       ->allow_extra_args(false)
-      ->option_text("FILE");
+      ->option_text("hand.urdf");
   add_package_option(app, input.packages);
 }
 
@@ -78,6 +78,17 @@ std::vector<std::optional<ModelFile>> find_models(std::span<const ProfileFile> p
     models.push_back(urdf.empty() ? std::nullopt : std::optional(load_unchanged(file, urdf, input)));
   }
   return models;
+}
+
+std::vector<HandGeometry> find_geometries(const Tool& tool, std::span<const ProfileFile> profiles, const ModelInput& input) {
+  const std::vector<std::optional<ModelFile>> models = find_models(profiles, input);
+  std::vector<HandGeometry> geometries;
+  for (std::size_t i = 0; i < profiles.size(); ++i) {
+    geometries.push_back(models[i] ? hand_geometry(profiles[i].profile, models[i]->model, models[i]->path) : HandGeometry{});
+    if (!models[i])
+      tool.warn({{profiles[i].path + ": its model is not here, so the picture lacks the meshes; name the URDF with --urdf"}});
+  }
+  return geometries;
 }
 
 }  // namespace uhas::tools

@@ -13,7 +13,7 @@ const {Tools, options} = require('./tools.js');
 
 const MOST_PICTURE_BYTES = 400e3;  // of the picture for the README
 const SMALL = {width: 900, height: 600};  // the drawing is compared often and rendered in software
-const GENTLE = [0.25, 0.1, 0, -0.15, 0, -0.1, -0.35, 0, -0.1, 0.1, 0.25, -0.15, -0.45, -0.2, -0.3];
+const GENTLE = [0.25, 0.1, 0, -0.15, 0, -0.1, -0.35, 0, -0.1, 0, 0, -0.15, -0.45, -0.2, -0.3];
 
 async function main({bin, folder}) {
   const tools = new Tools(bin, path.join(folder, 'page_parts'));
@@ -29,6 +29,7 @@ async function main({bin, folder}) {
     await theAnimation(report, tools, hand);
     await theNumbers(report);
     await theSolverOptions(report, tools, hand);
+    await theColours(report, tools, hand);
     report.assertQuiet();
     await report.page.close();
     await theDark(browser, html, tools);
@@ -110,6 +111,22 @@ async function theSolverOptions(report, tools, hand) {
   await report.page.selectOption('#solver-rule', 'contact');
   await report.page.selectOption('#solver-closing', 'hard');
   await report.assertSolved(tools, [hand], '--rule', 'contact', '--closing', 'hard', '--field', 'field');
+}
+
+/// A place on the sphere has one colour in the page and in the files for other programs.
+async function theColours(report, tools, hand) {
+  const file = tools.file('points.ply');
+  tools.run('uhas-inspect', hand.profile, '--ply', file);
+  const [header, body] = fs.readFileSync(file, 'latin1').split('end_header\n');
+  assert.match(header, /format ascii/);
+  const names = [...header.matchAll(/^property \S+ (\S+)$/gm)].map(([, name]) => name);
+  const points = body.trim().split('\n').filter((_, i) => i % 97 === 0)
+    .map((line) => Object.fromEntries(line.split(' ').map((word, i) => [names[i], Number(word)])));
+  assert(points.length > 20);
+  const colours = await report.page.evaluate(
+    (places) => places.map(({theta, phi}) => sphereColour(theta, phi).map((value) => 255 * value)), points);
+  points.forEach(({red, green, blue}, i) => [red, green, blue].forEach((value, channel) =>
+    assert(Math.abs(value - colours[i][channel]) <= 0.51, `${[red, green, blue]} in the file, ${colours[i]} in the page`)));
 }
 
 async function theDark(browser, html, tools) {

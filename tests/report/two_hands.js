@@ -40,6 +40,7 @@ async function main({bin, folder}) {
     fingers.forEach((finger, i) => assertMoved(zeros[i], bent[i], finger));
 
     await oneCamera(report);
+    await report.page.click('#view-oblique');
     await report.page.click('#preset-spread');
     await report.assertSolved(tools, hands);
     await report.picture(tools.file('spread.png'));

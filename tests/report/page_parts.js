@@ -35,6 +35,7 @@ async function main({bin, folder}) {
     await theDark(browser, html, tools);
     await aNarrowWindow(browser, html, tools);
     await noModel(browser, hand, tools);
+    await anEvaluation(browser, html, tools);
     await aForeignDocument(browser, html, tools);
     await browser.close();
     browser = await launch(folder, {webgl: false});
@@ -159,6 +160,35 @@ async function noModel(browser, hand, tools) {
   await report.page.click('#preset-spread');
   await report.assertSolved(tools, [hand]);
   await report.picture(tools.file('no_model.png'));
+  report.assertQuiet();
+  await report.page.close();
+}
+
+/// Scores of any shape are shown: records as rows, numbers in a row as bars, what is nested under its own heading.
+async function anEvaluation(browser, html, tools) {
+  const evaluated = tools.file('evaluated.html');
+  const scores = {
+    format: 'some-scores', version: 1, actions: 1000,
+    fit: [{finger: 'index', median: 0.012, p95: 0.13}, {finger: 'thumb', median: 0.024, p95: null}],
+    reach: {index: {share: 0.9, dead: false}, thumb: {share: 0.45, dead: true}},
+    time: {median_ns: 2300, histogram: [1, 4, 9, 3]},
+  };
+  const text = fs.readFileSync(html, 'utf8');
+  assert(text.includes('"evaluation":null'));
+  fs.writeFileSync(evaluated, text.replace('"evaluation":null', `"evaluation":${JSON.stringify(scores)}`));
+  const report = await ReportPage.open(browser, evaluated);
+  const section = report.page.locator('#evaluation');
+  assert.deepStrictEqual(await section.locator('h3').allTextContents(), ['fit', 'reach', 'time', 'histogram']);
+  const rows = await section.locator('tbody tr').evaluateAll(
+    (all) => all.map(({cells}) => Array.from(cells, (cell) => cell.textContent).join(' ')));
+  assert.deepStrictEqual(rows, ['actions 1000', 'index 0.012 0.13', 'thumb 0.024 none', 'index 0.9 no', 'thumb 0.45 yes',
+    'median ns 2300']);
+  const shares = await section.locator('.bar').evaluateAll((bars) => bars.map((bar) => bar.style.getPropertyValue('--share')));
+  assert.deepStrictEqual(shares, ['50.0%', '100.0%', '100.0%', '100.0%', '50.0%']);
+  const heights = await section.locator('svg rect').evaluateAll((bars) => bars.map((bar) => Number(bar.getAttribute('height'))));
+  assert.deepStrictEqual(heights.map((height) => Math.round(9 * height / heights[2])), [1, 4, 9, 3]);
+  await section.scrollIntoViewIfNeeded();
+  await report.picture(tools.file('evaluation.png'));
   report.assertQuiet();
   await report.page.close();
 }

@@ -32,7 +32,8 @@ def main():
     folder.mkdir(parents=True, exist_ok=True)
     for name in ("package.json", LOCK.name):
         shutil.copy(LOCK.with_name(name), folder)
-    command = ["npm", "ci", "--ignore-scripts", "--no-audit", "--no-fund"]
+    command = ["npm", "ci", "--ignore-scripts", "--no-audit", "--no-fund", "--fetch-retries=1",
+               "--fetch-retry-mintimeout=1000"]
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
     if done.returncode:
         if any(word in done.stderr for word in NO_NETWORK):

@@ -91,7 +91,8 @@ class ReportPage {
     await this.settle();
     const before = await this.page.evaluate(() => window.framesAsked);
     await this.page.waitForTimeout(300);
-    assert.strictEqual(await this.page.evaluate(() => window.framesAsked), before, 'frames were asked for while nothing changed');
+    const after = await this.page.evaluate(() => window.framesAsked);
+    assert.strictEqual(after, before, 'frames were asked for while nothing changed');
   }
 }
 

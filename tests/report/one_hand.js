@@ -1,5 +1,5 @@
-// The report on one hand in a browser: its inputs move the joints to where uhas-solve puts them, and its drawing follows.
-// Pictures of zeros, spread and all closed stay in FOLDER/<hand>/.
+// The report on one hand in a browser: its inputs move the joints to where uhas-solve puts them, and its drawing
+// follows. Pictures of zeros, spread and all closed stay in FOLDER/<hand>/.
 //
 //   node one_hand.js --bin BIN --folder FOLDER --hand NAME|real/NAME
 'use strict';
@@ -59,12 +59,13 @@ async function aSlider(report, tools, hand) {
   assert(action[11] < -0.3 && action[11] > -0.9, `the slider was set to ${action[11]}`);
   assert(action.every((value, i) => value === 0 || i === 11), 'one slider moved several inputs');
 
-  const cells = await report.page.locator('#joints tbody tr').evaluateAll((rows) => rows.map((row) => row.cells[9].textContent));
-  const kinds = await report.page.locator('#joints tbody tr').evaluateAll((rows) => rows.map((row) => row.cells[1].textContent));
-  q.forEach((value, i) => {
-    assert(kinds[i].startsWith(jointNames[i]));
-    const unit = kinds[i].endsWith('(mm)') ? 1000 : 180 / Math.PI;
-    assert(Math.abs(Number(cells[i].replace('\u2212', '-')) - value * unit) <= 0.0501, `${jointNames[i]} reads ${cells[i]} in the table`);
+  const rows = await report.page.locator('#joints tbody tr').evaluateAll(
+    (all) => all.map(({cells}) => ({joint: cells[1].textContent, current: cells[9].textContent})));
+  rows.forEach(({joint, current}, i) => {
+    assert(joint.startsWith(jointNames[i]));
+    const unit = joint.endsWith('(mm)') ? 1000 : 180 / Math.PI;
+    const read = Number(current.replace('\u2212', '-'));
+    assert(Math.abs(read - q[i] * unit) <= 0.0501, `${joint} reads ${current} in the table`);
   });
 }
 

@@ -1,5 +1,6 @@
-// The parts of the page that do not depend on the hand: layers, standpoints, the animation, numbers as text, options of the
-// solver; the page in the dark, in a narrow window, without WebGL, without a model, and around a document that it cannot show.
+// The parts of the page that do not depend on the hand: layers, standpoints, the animation, numbers as text, options of
+// the solver; the page in the dark, in a narrow window, without WebGL, without a model, and around a document that it
+// cannot show.
 //
 //   node page_parts.js --bin BIN --folder FOLDER
 'use strict';
@@ -11,7 +12,8 @@ const {ReportPage, launch} = require('./browser.js');
 const {Tools, options} = require('./tools.js');
 
 const MOST_PICTURE_BYTES = 400e3;  // of the picture for the README
-const GENTLE = [0.25, 0.1, 0, -0.15, 0, -0.1, -0.35, 0, -0.1, 0.1, 0.25, -0.15, -0.45, -0.2, -0.3];
+const SMALL = {width: 900, height: 600};  // the drawing is compared often and rendered in software
+const GENTLE = [0.25, 0.1, 0, -0.15, 0, -0.1, -0.35, 0, -0.1, 0, 0, -0.15, -0.45, -0.2, -0.3];
 
 async function main({bin, folder}) {
   const tools = new Tools(bin, path.join(folder, 'page_parts'));
@@ -21,11 +23,13 @@ async function main({bin, folder}) {
   try {
     const report = await ReportPage.open(browser, html);
     await thePicture(report, tools);
+    await report.page.setViewportSize(SMALL);
     await theLayers(report);
     await theStandpoints(report);
     await theAnimation(report, tools, hand);
     await theNumbers(report);
     await theSolverOptions(report, tools, hand);
+    await theColours(report, tools, hand);
     report.assertQuiet();
     await report.page.close();
     await theDark(browser, html, tools);
@@ -109,6 +113,22 @@ async function theSolverOptions(report, tools, hand) {
   await report.assertSolved(tools, [hand], '--rule', 'contact', '--closing', 'hard', '--field', 'field');
 }
 
+/// A place on the sphere has one colour in the page and in the files for other programs.
+async function theColours(report, tools, hand) {
+  const file = tools.file('points.ply');
+  tools.run('uhas-inspect', hand.profile, '--ply', file);
+  const [header, body] = fs.readFileSync(file, 'latin1').split('end_header\n');
+  assert.match(header, /format ascii/);
+  const names = [...header.matchAll(/^property \S+ (\S+)$/gm)].map(([, name]) => name);
+  const points = body.trim().split('\n').filter((_, i) => i % 97 === 0)
+    .map((line) => Object.fromEntries(line.split(' ').map((word, i) => [names[i], Number(word)])));
+  assert(points.length > 20);
+  const colours = await report.page.evaluate(
+    (places) => places.map(({theta, phi}) => sphereColour(theta, phi).map((value) => 255 * value)), points);
+  points.forEach(({red, green, blue}, i) => [red, green, blue].forEach((value, channel) =>
+    assert(Math.abs(value - colours[i][channel]) <= 0.51, `${[red, green, blue]} in the file, ${colours[i]} in the page`)));
+}
+
 async function theDark(browser, html, tools) {
   const report = await ReportPage.open(browser, html, {colorScheme: 'dark'});
   await report.page.click('#preset-spread');
@@ -146,8 +166,9 @@ async function noModel(browser, hand, tools) {
 /// A document of another version, or a damaged hand, is refused in words.
 async function aForeignDocument(browser, html, tools) {
   const text = fs.readFileSync(html, 'utf8'), foreign = tools.file('foreign.html');
-  for (const [from, to, words] of [[/"format":\s*"uhas-report",\s*"version":\s*1/, '"format":"uhas-report","version":2', /version|uhas-report 2/],
-    [/("image":\s*)"[^"]{400}/, '$1"', /./]]) {
+  const version = [/"format":"uhas-report","version":1/, '"format":"uhas-report","version":2', /uhas-report 2/];
+  const image = [/"image":"[^"]{400}/, '"image":"', /hand|profile/];
+  for (const [from, to, words] of [version, image]) {
     assert.match(text, from);
     fs.writeFileSync(foreign, text.replace(from, to));
     const report = await ReportPage.open(browser, foreign);

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Installs what the report's tests need of npm, as package-lock.json pins it, into FOLDER. Skips, by name, without the programs
-or the registry.
+"""Installs what the report's tests need of npm, as package-lock.json pins it, into FOLDER. Skips, by name, without the
+programs or the registry.
 
     set_up.py FOLDER
 """
@@ -32,7 +32,8 @@ def main():
     folder.mkdir(parents=True, exist_ok=True)
     for name in ("package.json", LOCK.name):
         shutil.copy(LOCK.with_name(name), folder)
-    done = subprocess.run(["npm", "ci", "--ignore-scripts", "--no-audit", "--no-fund"], cwd=folder, capture_output=True, text=True)
+    command = ["npm", "ci", "--ignore-scripts", "--no-audit", "--no-fund"]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
     if done.returncode:
         if any(word in done.stderr for word in NO_NETWORK):
             skip("the npm registry cannot be reached")

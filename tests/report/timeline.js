@@ -1,5 +1,5 @@
-// The report on a file of actions: the timeline shows the solutions of uhas-solve, by scrubbing and by playing, and the page
-// solves with the options that made them.
+// The report on a file of actions: the timeline shows the solutions of uhas-solve, by scrubbing and by playing, and the
+// page solves with the options that made them.
 //
 //   node timeline.js --bin BIN --folder FOLDER
 'use strict';
@@ -15,8 +15,9 @@ async function main({bin, folder}) {
   const tools = new Tools(bin, path.join(folder, 'timeline'));
   const hand = tools.hand('allegro_right'), html = tools.file('report.html');
   const actions = path.join(ROOT, 'examples/first_actions.json');
-  const {joint_names: names, solutions} = JSON.parse(tools.run('uhas-solve', actions, '--profile', hand.profile, ...SOLVER));
-  tools.run('uhas-solve', actions, '--profile', hand.profile, ...SOLVER, '--html', html, '--urdf', hand.urdf, '-o', tools.file('q.json'));
+  const solve = ['uhas-solve', actions, '--profile', hand.profile, ...SOLVER];
+  const {joint_names: names, solutions} = JSON.parse(tools.run(...solve));
+  tools.run(...solve, '--html', html, '--urdf', hand.urdf, '-o', tools.file('q.json'));
   const browser = await launch(folder);
   try {
     const report = await ReportPage.open(browser, html);

@@ -39,7 +39,7 @@ class Tools {
   }
 
   run(tool, ...words) {
-    return execFileSync(path.join(this.bin, tool), words, {encoding: 'utf8', maxBuffer: 1 << 28, stdio: ['ignore', 'pipe', 'pipe']});
+    return execFileSync(path.join(this.bin, tool), words, {encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe']});
   }
 
   file(name) {
@@ -56,7 +56,8 @@ class Tools {
   /// The report on hands, as a file.
   report(name, ...hands) {
     const html = this.file(name);
-    this.run('uhas-inspect', ...hands.map((hand) => hand.profile), '--html', html, ...hands.flatMap((hand) => ['--urdf', hand.urdf]));
+    this.run('uhas-inspect', ...hands.map((hand) => hand.profile), '--html', html,
+      ...hands.flatMap((hand) => ['--urdf', hand.urdf]));
     if (hands.length === 1) assert(fs.statSync(html).size < MOST_BYTES, `${html} is larger than ${MOST_BYTES} bytes`);
     return html;
   }

@@ -1,5 +1,5 @@
-// Two hands side by side, a left one with four fingers and a right one with five, move together from one slider, each within
-// its own bounds.
+// Two hands side by side, a left one with four fingers and a right one with five, move together from one slider, each
+// within its own bounds.
 //
 //   node two_hands.js --bin BIN --folder FOLDER
 'use strict';
@@ -25,8 +25,8 @@ async function main({bin, folder}) {
     await report.page.focus(`#theta-${INDEX}`);
     await report.page.keyboard.press('End');
     const turned = await report.assertSolved(tools, hands);
-    hands.forEach(({summary}, i) => {
-      const finger = summary.fingers.find(({slots}) => slots.includes(INDEX));
+    const fingers = hands.map(({summary}) => summary.fingers.find(({slots}) => slots.includes(INDEX)));
+    fingers.forEach((finger, i) => {
       assert.strictEqual(turned[i].action[INDEX], finger.delta_theta_range[1]);
       assertMoved(zeros[i], turned[i], finger);
     });
@@ -37,9 +37,10 @@ async function main({bin, folder}) {
     for (let step = 0; step < 50; ++step) await report.page.keyboard.press('ArrowLeft');
     const bent = await report.assertSolved(tools, hands);
     bent.forEach(({action}) => assert.strictEqual(action[5 + 2 * INDEX + 1], -0.5));
-    hands.forEach(({summary}, i) => assertMoved(zeros[i], bent[i], summary.fingers.find(({slots}) => slots.includes(INDEX))));
+    fingers.forEach((finger, i) => assertMoved(zeros[i], bent[i], finger));
 
     await oneCamera(report);
+    await report.page.click('#view-oblique');
     await report.page.click('#preset-spread');
     await report.assertSolved(tools, hands);
     await report.picture(tools.file('spread.png'));

@@ -2,8 +2,9 @@
 'use strict';
 
 const kLayers = {
-  meshes: 'meshes', points: 'hand points', joints: 'joint axes', skeleton: 'skeleton', unitSphere: 'unit sphere', sphere: 'deformed sphere', spherePoints: 'sphere points',
-  planes: 'driving planes, vectors', axes: 'sphere frame', normal: 'palm normal',
+  meshes: 'meshes', points: 'hand points', joints: 'joint axes', skeleton: 'skeleton', unitSphere: 'unit sphere',
+  sphere: 'deformed sphere', spherePoints: 'sphere points', planes: 'driving planes, vectors', axes: 'sphere frame',
+  normal: 'palm normal',
 };
 
 const kPoseHelp = {
@@ -13,8 +14,10 @@ const kPoseHelp = {
 
 /// Radio buttons for the pose.
 function posePanel(session) {
-  const radios = Object.entries(kPoseHelp).map(([pose, help]) => element('input', {type: 'radio', name: 'pose', value: pose,
-    id: `pose-${pose}`, title: help, onchange: () => { session.stop(); session.setPose(pose); }}));
+  const radios = Object.entries(kPoseHelp).map(([pose, help]) => element('input', {
+    type: 'radio', name: 'pose', value: pose, id: `pose-${pose}`, title: help,
+    onchange: () => { session.stop(); session.setPose(pose); },
+  }));
   session.onChange(() => radios.forEach((radio) => { radio.checked = radio.value === session.pose; }));
   return element('fieldset', {class: 'panel segments'}, element('legend', {}, 'Pose'),
     ...radios.map((radio) => element('label', {title: radio.title}, radio, element('span', {}, radio.value))));
@@ -39,9 +42,9 @@ function layersPanel(viewer, session) {
 function legend() {
   const swatch = (color, label) => element('span', {class: 'swatch', style: `--swatch: ${color}`}, label);
   return element('div', {class: 'legend'},
-    colorKeyCanvas(36),
+    colourKeyCanvas(36),
     element('span', {}, 'surface points by (θ, φ), alike on hand and sphere'),
-    swatch(kClassColors.lateral, 'lateral joint'), swatch(kClassColors.encompassing, 'encompassing joint'),
+    swatch(kClassColours.lateral, 'lateral joint'), swatch(kClassColours.encompassing, 'encompassing joint'),
     element('span', {}, 'thin: follower (mimic)'));
 }
 

@@ -1,8 +1,8 @@
 // Making elements of the page.
 'use strict';
 
-/// An element with attributes and children (elements, text, or null for none). An attribute that is false or null is left out;
-/// `on<event>` is a listener.
+/// An element with attributes and children (elements, text, or null for none). An attribute that is false or null is
+/// left out; `on<event>` is a listener.
 function element(tag, attributes = {}, ...children) {
   return dress(document.createElement(tag), attributes, children);
 }
@@ -22,7 +22,8 @@ function dress(made, attributes, children) {
   return made;
 }
 
-/// A table with a heading row; its caption, if there is one, also names it to readers that do not see. A column is {heading, number: bool}; a row holds a text or an element for each column.
+/// A table with a heading row; its caption, if there is one, also names it to screen readers. A column is
+/// {heading, number: bool}; a row holds a text or an element for each column.
 function tableElement(caption, columns, rows) {
   const align = (column) => (column.number ? 'number' : null);
   return element('div', {class: 'scroll', tabindex: 0, role: 'region', 'aria-label': caption ?? 'table'},
@@ -36,5 +37,6 @@ function tableElement(caption, columns, rows) {
 
 /// A section of the details with its heading.
 function sectionElement(id, heading, ...children) {
-  return element('section', {id, 'aria-labelledby': `${id}-heading`}, element('h2', {id: `${id}-heading`}, heading), ...children);
+  return element('section', {id, 'aria-labelledby': `${id}-heading`},
+    element('h2', {id: `${id}-heading`}, heading), ...children);
 }

@@ -20,7 +20,8 @@ function evaluationElement(value, name) {
   return element('div', {},
     flat.length ? tableElement(null, [{heading: 'item'}, {heading: 'value', number: true}],
       flat.map(([key, entry]) => [words(key), scoreText(entry)])) : null,
-    ...deep.map(([key, entry]) => element('div', {class: 'score'}, element('h3', {}, words(key)), evaluationElement(entry, key))));
+    ...deep.map(([key, entry]) => element('div', {class: 'score'},
+      element('h3', {}, words(key)), evaluationElement(entry, key))));
 }
 
 /// A table with a row for each record; numbers of a column share a bar, so that they compare at a glance.
@@ -43,11 +44,13 @@ function recordTable(records) {
 
 /// Bars side by side, from zero.
 function barPlot(values, name) {
-  const low = Math.min(0, ...values), high = Math.max(0, ...values), span = high - low || 1, width = Math.max(2, Math.min(14, 240 / values.length));
-  return svgElement('svg', {class: 'bars', role: 'img', width: width * values.length, height: 60, viewBox: `0 0 ${width * values.length} 60`,
-    'aria-label': `${words(name)}: ${values.length} values from ${scoreText(Math.min(...values))} to ${scoreText(Math.max(...values))}`},
-  ...values.map((value, i) => svgElement('rect', {x: i * width + 0.5, width: width - 1, y: 60 * (high - Math.max(value, 0)) / span,
-    height: Math.max(60 * Math.abs(value) / span, 0.5)}, svgElement('title', {}, scoreText(value)))));
+  const least = Math.min(...values), greatest = Math.max(...values);
+  const top = Math.max(0, greatest), span = top - Math.min(0, least) || 1;
+  const height = 60, step = clamp(240 / values.length, 2, 14), width = step * values.length;
+  return svgElement('svg', {class: 'bars', role: 'img', width, height, viewBox: `0 0 ${width} ${height}`,
+    'aria-label': `${words(name)}: ${values.length} values from ${scoreText(least)} to ${scoreText(greatest)}`},
+  ...values.map((value, i) => svgElement('rect', {x: i * step + 0.5, y: height * (top - Math.max(value, 0)) / span,
+    width: step - 1, height: Math.max(height * Math.abs(value) / span, 0.5)}, svgElement('title', {}, scoreText(value)))));
 }
 
 function isObject(value) {

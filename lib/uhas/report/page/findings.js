@@ -4,11 +4,11 @@
 function findingsOf(hand) {
   const {warnings} = hand.summary;
   const rows = hand.data.findings.map(({item, value, reason, confidence}) => [item, value,
-    element('meter', {min: 0, max: 1, low: 0.5, optimum: 1, value: confidence, 'aria-label': `confidence ${fixed(confidence, 2)}`}),
+    element('meter', {min: 0, max: 1, low: 0.5, optimum: 1, value: confidence, 'aria-label': 'confidence'}),
     fixed(confidence, 2), reason]);
   return element('div', {},
     warnings.length === 0 ? element('p', {}, `No warnings for ${hand.name}.`)
       : element('ul', {class: 'warnings'}, ...warnings.map((warning) => element('li', {}, warning))),
-    tableElement(`What was inferred of ${hand.name}`,
-      [{heading: 'item'}, {heading: 'value'}, {heading: 'confidence'}, {heading: '', number: true}, {heading: 'reason'}], rows));
+    tableElement(`What was inferred of ${hand.name}`, [{heading: 'item'}, {heading: 'value'}, {heading: 'confidence'},
+      {heading: '', number: true}, {heading: 'reason'}], rows));
 }

@@ -57,7 +57,8 @@ class Hand {
   whyIgnored(slot) {
     const fingers = this.fingersOfSlot(slot);
     if (fingers.some((finger) => finger.lateral_joint !== null)) return null;
-    return `${fingers.map((finger) => finger.name).join(' and ')} of ${this.name} has no lateral joint that turns it sideways`;
+    const names = fingers.map((finger) => finger.name).join(' and ');
+    return `${names} of ${this.name} has no lateral joint that turns it sideways`;
   }
 
   /// Delta theta (rad) of normalised values in [-1, 1]: 0 maps to 0, the ends to the slot's bounds.

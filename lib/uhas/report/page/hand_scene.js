@@ -1,12 +1,13 @@
-// A hand in three dimensions: links with meshes and surface points, joint markers, skeleton. Units of its root are sphere radii.
+// A hand in three dimensions: links with meshes and surface points, joint markers, skeleton. It stands in the sphere
+// frame, in units of its radius.
 'use strict';
 
-const kClassColors = {lateral: '#e07b1f', encompassing: '#2f76d2', other: '#7a7f87'};
+const kClassColours = {lateral: '#e07b1f', encompassing: '#2f76d2', other: '#7a7f87'};
 
 class HandScene {
   constructor(hand) {
     this.hand = hand;
-    this.layers = {meshes: new THREE.Group(), points: new THREE.Group(), joints: new THREE.Group(), skeleton: new THREE.Group()};
+    this.layers = groups('meshes', 'points', 'joints', 'skeleton');
     this.meshMaterial = new THREE.MeshStandardMaterial({roughness: 0.75, metalness: 0.05, side: THREE.DoubleSide,
       polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1});
     this.root = new THREE.Group();
@@ -17,7 +18,8 @@ class HandScene {
     this.root.add(...Object.values(this.layers));
     this.moving = [];  // objects to be placed where a link is: {object, link}
     for (const mesh of hand.meshes) {
-      this.#attach('meshes', mesh.link, new THREE.Mesh(creasedGeometry(mesh.vertices, mesh.triangles), this.meshMaterial));
+      const geometry = creasedGeometry(mesh.vertices, mesh.triangles);
+      this.#attach('meshes', mesh.link, new THREE.Mesh(geometry, this.meshMaterial));
     }
     this.#addPoints();
     hand.joints.forEach((joint) => this.#addMarker(joint));
@@ -32,7 +34,7 @@ class HandScene {
 
   #addPoints() {
     const {link, position, thetaPhi} = this.hand.points;
-    const colors = sphereColors(thetaPhi), material = discMaterial(0.022);
+    const colors = sphereColours(thetaPhi), material = discMaterial(0.022);
     for (let first = 0, end; first < link.length; first = end) {
       for (end = first + 1; end < link.length && link[end] === link[first];) ++end;
       const geometry = new THREE.BufferGeometry();
@@ -42,12 +44,15 @@ class HandScene {
     }
   }
 
-  /// A pin along the joint's axis, thinner for a joint that follows another one; where the hand hides it, it shines through.
+  /// A pin along the joint's axis, thinner for a joint that follows another one; where the hand hides it, it shines
+  /// through.
   #addMarker(joint) {
     const r = this.hand.data.radius, thickness = (joint.mimic === null ? 0.026 : 0.015) * r;
-    const color = kClassColors[joint.class ?? 'other'], geometry = new THREE.CylinderBufferGeometry(thickness, thickness, 0.4 * r, 12);
+    const color = kClassColours[joint.class ?? 'other'];
+    const geometry = new THREE.CylinderBufferGeometry(thickness, thickness, 0.4 * r, 12);
     const pin = new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({color}));
-    const within = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({color, transparent: true, opacity: 0.25, depthTest: false}));
+    const within = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial(
+      {color, transparent: true, opacity: 0.25, depthTest: false}));
     within.renderOrder = 5;
     for (const mesh of [pin, within]) {
       mesh.position.fromArray(joint.origin);
@@ -88,7 +93,8 @@ class HandScene {
     this.root.updateMatrixWorld(true);
   }
 
-  /// Corners of the boxes about the links' meshes (about their points where there are none) as posed now, in the sphere frame.
+  /// Corners of the boxes about the links' meshes (about their points where there are none) as posed now, in the sphere
+  /// frame.
   corners() {
     const source = this.hand.meshes.length ? this.layers.meshes : this.layers.points;
     return source.children.flatMap(({geometry, matrixWorld}) => {

@@ -72,7 +72,8 @@ class InputsPanel {
     this.session.onChange(() => {
       const action = this.session.actionOf(hand), {vectors} = this.session;
       const mean = (index) => finger.slots.reduce((sum, s) => sum + action[index(s)], 0) / finger.slots.length;
-      const radial = Array.from({length: vectors}, (_, j) => signed(mean((s) => this.session.radial(s, j)), 2)).join(', ');
+      const means = Array.from({length: vectors}, (_, j) => mean((s) => this.session.radial(s, j)));
+      const radial = means.map((value) => signed(value, 2)).join(', ');
       note.textContent = `${hand.name}: ${finger.name} follows the mean of slots ${finger.slots.join(', ')}: ` +
         `Δθ ${signed(mean((s) => s) * kDegrees, 1)}°, Δr ${radial}`;
     });
@@ -112,7 +113,8 @@ class InputsPanel {
       kSlots.flatMap((_, slot) => this.session.phi[slot].map(() => radial(slot)))));
   }
 
-  /// From zeros, the planes of one finger after the other contract. Slots that some hand gives to one finger close together.
+  /// From zeros, the planes of one finger after the other contract; those of slots that share a finger on some hand
+  /// together.
   #closeOneByOne() {
     const groups = this.#slotGroups();
     this.session.play((seconds) => {

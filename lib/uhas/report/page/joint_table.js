@@ -7,18 +7,21 @@ function sharePercent(joint, value) {
 }
 
 function jointTable(session, hand) {
-  const columns = [{heading: 'finger'}, {heading: 'joint'}, {heading: 'class'}, {heading: 'lower', number: true},
-    {heading: 'range'}, {heading: 'upper', number: true}, {heading: 'q_open', number: true}, {heading: 'q_sphere', number: true},
-    {heading: 'q_closed', number: true}, {heading: 'current', number: true}, {heading: 'state'}];
-  const cells = hand.joints.map((joint) => ({current: element('strong', {}), state: element('span', {}), gauge: gaugeElement(hand, joint)}));
+  const numbers = ['lower', 'upper', 'q_open', 'q_sphere', 'q_closed', 'current'];
+  const columns = ['finger', 'joint', 'class', 'lower', 'range', 'upper', 'q_open', 'q_sphere', 'q_closed', 'current',
+    'state'].map((heading) => ({heading, number: numbers.includes(heading)}));
+  const cells = hand.joints.map((joint) => ({
+    current: element('strong', {}), state: element('span', {}), gauge: gaugeElement(hand, joint),
+  }));
   const number = (joint, value) => (value === null ? '' : jointNumber(joint.kind, value));
   const rows = hand.joints.map((joint, i) => {
     const followed = hand.joints[i - 1]?.finger === joint.finger;
-    const kind = element('span', {class: 'swatch', style: `--swatch: ${kClassColors[joint.class ?? 'other']}`},
+    const kind = element('span', {class: 'swatch', style: `--swatch: ${kClassColours[joint.class ?? 'other']}`},
       (joint.class ?? 'drives fingers') + (joint.mimic === null ? '' : `, follows ${joint.mimic}`));
     return [followed ? '' : joint.finger ?? 'none', joint.kind === 'prismatic' ? `${joint.name} (mm)` : joint.name, kind,
       number(joint, joint.lower), cells[i].gauge, number(joint, joint.upper),
-      ...['q_open', 'q_sphere', 'q_closed'].map((pose) => number(joint, hand.poses[pose][i])), cells[i].current, cells[i].state];
+      ...['q_open', 'q_sphere', 'q_closed'].map((pose) => number(joint, hand.poses[pose][i])),
+      cells[i].current, cells[i].state];
   });
   session.onChange(() => {
     const {q, atLimit, closed} = session.states[session.hands.indexOf(hand)];

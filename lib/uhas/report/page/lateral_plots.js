@@ -13,35 +13,38 @@ function lateralPlots(session, hand) {
 
 function lateralPlot(session, hand, table) {
   const i = hand.jointNames.indexOf(table.joint), kind = hand.joints[i].kind;
-  const unit = jointUnit(kind), angles = table.theta.map((theta) => theta * kDegrees);
-  const values = table.q.map((q) => q * (kind === 'prismatic' ? 1000 : kDegrees));
+  const unit = jointUnit(kind), shown = (q) => q * (kind === 'prismatic' ? 1000 : kDegrees);
+  const values = table.q.map(shown), angles = table.theta.map((theta) => theta * kDegrees);
   const [low, high] = [Math.min(...angles), Math.max(...angles)];
   const first = values[0], last = values[values.length - 1];
-  const x = (value) => kPlot.left + (kPlot.width - kPlot.left - kPlot.right) * (value - first) / (last - first);
-  const y = (angle) => kPlot.height - kPlot.bottom - (kPlot.height - kPlot.top - kPlot.bottom) * (angle - low) / (high - low);
-  const neutral = x(table.neutral * (kind === 'prismatic' ? 1000 : kDegrees)), initial = y(table.theta_initial * kDegrees);
-  const bottom = kPlot.height - kPlot.bottom, right = kPlot.width - kPlot.right;
+  const {left, top} = kPlot, bottom = kPlot.height - kPlot.bottom, right = kPlot.width - kPlot.right;
+  const x = (value) => left + (right - left) * (value - first) / (last - first);
+  const y = (angle) => bottom - (bottom - top) * (angle - low) / (high - low);
+  const neutral = x(shown(table.neutral)), initial = y(table.theta_initial * kDegrees);
+  const points = values.map((value, k) => `${x(value).toFixed(1)},${y(angles[k]).toFixed(1)}`).join(' ');
   const text = (at, up, anchor, words) => svgElement('text', {x: at, y: up, 'text-anchor': anchor}, words);
   const dot = svgElement('circle', {r: 4.5, class: 'now'});
   const finger = table.finger ?? 'several fingers', name = `${finger}: θ of the fingertip over ${table.joint}`;
 
   session.onChange(() => {
     const q = session.states[session.hands.indexOf(hand)].q[i];
-    const value = clamp(q * (kind === 'prismatic' ? 1000 : kDegrees), first, last);
+    const value = clamp(shown(q), first, last);
     dot.setAttribute('cx', x(value));
     dot.setAttribute('cy', y(interpolate(values, angles, value)));
   });
   return element('figure', {},
     svgElement('svg', {viewBox: `0 0 ${kPlot.width} ${kPlot.height}`, role: 'img', 'aria-label': name},
-      svgElement('path', {class: 'axis', d: `M${kPlot.left} ${kPlot.top}V${bottom}H${right}`}),
-      svgElement('path', {class: 'guide', d: `M${neutral} ${kPlot.top}V${bottom}M${kPlot.left} ${initial}H${right}`}),
-      svgElement('polyline', {class: 'curve', points: values.map((value, k) => `${x(value).toFixed(1)},${y(angles[k]).toFixed(1)}`).join(' ')}),
+      svgElement('path', {class: 'axis', d: `M${left} ${top}V${bottom}H${right}`}),
+      svgElement('path', {class: 'guide', d: `M${neutral} ${top}V${bottom}M${left} ${initial}H${right}`}),
+      svgElement('polyline', {class: 'curve', points}),
       dot,
-      text(kPlot.left - 4, kPlot.top + 8, 'end', `${fixed(high, 0)}°`), text(kPlot.left - 4, bottom, 'end', `${fixed(low, 0)}°`),
-      text(kPlot.left - 4, (kPlot.top + bottom) / 2, 'end', 'θ'),
-      text(kPlot.left, bottom + 13, 'start', `${fixed(first, 0)}${unit}`), text(right, bottom + 13, 'end', `${fixed(last, 0)}${unit}`),
-      text((kPlot.left + right) / 2, bottom + 24, 'middle', table.joint)),
-    element('figcaption', {}, element('strong', {}, finger),
-      table.driving ? ` Δθ ${table.delta_theta_range.map((bound) => `${signed(bound * kDegrees, 1)}°`).join(' … ')}`
-        : ' stays at neutral: another joint follows Δθ'));
+      text(left - 4, top + 8, 'end', `${fixed(high, 0)}°`),
+      text(left - 4, (top + bottom) / 2, 'end', 'θ'),
+      text(left - 4, bottom, 'end', `${fixed(low, 0)}°`),
+      text(left, bottom + 13, 'start', `${fixed(first, 0)}${unit}`),
+      text(right, bottom + 13, 'end', `${fixed(last, 0)}${unit}`),
+      text((left + right) / 2, bottom + 24, 'middle', table.joint)),
+    element('figcaption', {}, element('strong', {}, finger), table.driving
+      ? ` Δθ ${table.delta_theta_range.map((bound) => `${signed(bound * kDegrees, 1)}°`).join(' … ')}`
+      : ' stays at neutral: another joint follows Δθ'));
 }

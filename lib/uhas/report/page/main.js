@@ -17,8 +17,10 @@ async function start() {
   layOut(session);
   Object.assign(window.uhasReport, {
     ready: true,
-    hands: hands.map((hand, i) => ({name: hand.name, jointNames: hand.jointNames, q: () => Array.from(session.states[i].q),
-      action: () => session.states[i].action})),
+    hands: hands.map((hand, i) => ({
+      name: hand.name, jointNames: hand.jointNames, q: () => Array.from(session.states[i].q),
+      action: () => session.states[i].action,
+    })),
     action: () => session.action,
     setAction: (values) => { session.action = values; },
   });
@@ -37,7 +39,8 @@ function layOut(session) {
     viewer.lookFrom('oblique');
   } catch (error) {
     stage.classList.add('undrawn');
-    stage.replaceChildren(element('p', {role: 'alert', class: 'failure'}, `${sentence(error)} Inputs, tables and plots still work.`));
+    stage.replaceChildren(element('p', {role: 'alert', class: 'failure'},
+      `${sentence(error)} Inputs, tables and plots still work.`));
   }
   controls.append(solverPanel(session));
   if (session.timeline) {
@@ -58,7 +61,8 @@ function layOut(session) {
 function followTheme(viewer) {
   const take = () => {
     const style = getComputedStyle(document.documentElement);
-    viewer.setTheme(Object.fromEntries(['mesh', 'ink', 'paper'].map((name) => [name, style.getPropertyValue(`--${name}`).trim()])));
+    const colour = (name) => style.getPropertyValue(`--${name}`).trim();
+    viewer.setTheme({mesh: colour('mesh'), ink: colour('ink'), paper: colour('paper')});
   };
   take();
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', take);

@@ -1,8 +1,8 @@
 // What drawings are made of besides meshes: discs for points, arrows, labels. Sizes are in sphere radii.
 'use strict';
 
-/// Points drawn as round discs that face the camera, unlit, in the colours of the attribute `color`, and a little nearer to the
-/// camera than they are, so that the surface on which they lie does not swallow them.
+/// Points drawn as round discs that face the camera, unlit, in the colours of the attribute `color`, and a little nearer
+/// to the camera than they are, so that the surface on which they lie does not swallow them.
 /// @param diameter  sphere radii, whatever the scale of the object
 function discMaterial(diameter) {
   return new THREE.ShaderMaterial({
@@ -55,7 +55,8 @@ class Arrow extends THREE.Group {
   }
 }
 
-/// A word that faces the camera, in front of everything, with a halo in the colour of the paper; `height` in sphere radii.
+/// A word that faces the camera, in front of everything, with a halo in the colour of the paper; `height` in sphere
+/// radii.
 function labelSprite(text, color, paper, height = 0.15) {
   const size = 48, font = `600 ${size}px system-ui, sans-serif`;
   const canvas = document.createElement('canvas');
@@ -77,6 +78,11 @@ function labelSprite(text, color, paper, height = 0.15) {
   sprite.scale.set(height * canvas.width / canvas.height, height, 1);
   sprite.renderOrder = 10;
   return sprite;
+}
+
+/// A group for each name.
+function groups(...names) {
+  return Object.fromEntries(names.map((name) => [name, new THREE.Group()]));
 }
 
 /// Frees what the graphics card holds of an object and its children.

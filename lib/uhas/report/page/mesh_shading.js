@@ -3,8 +3,8 @@
 
 const kCreaseCosine = Math.cos(40 / kDegrees);  // faces that meet at more keep their edge
 
-/// Geometry without index whose normal at a corner is the mean, weighted by area, of the faces about that vertex within the
-/// crease angle. Vertices at one place count as one, as STL files repeat them.
+/// Geometry without index whose normal at a corner is the mean, weighted by area, of the faces about that vertex within
+/// the crease angle. Vertices at one place count as one.
 function creasedGeometry(vertices, triangles) {
   const at = (i) => [vertices[3 * i], vertices[3 * i + 1], vertices[3 * i + 2]];
   const places = new Map();

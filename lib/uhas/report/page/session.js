@@ -92,7 +92,7 @@ class Session {
     this.setPose('timeline');
   }
 
-  /// Calls `step` with the seconds since now, once a frame of the display, until it returns false or something else is chosen.
+  /// Calls `step` with the seconds since now, once a frame of the display, until it returns false or `stop` is called.
   play(step) {
     this.stop();
     const start = performance.now();

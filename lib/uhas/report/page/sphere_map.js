@@ -8,16 +8,16 @@ function spherePoint(theta, phi, radius, sign) {
   return [around * Math.cos(theta), sign * around * Math.sin(theta), -radius * Math.cos(phi)];
 }
 
-/// Colour of (theta, phi), sRGB in [0, 1]: the hue follows azimuth, the lightness falls from the palm pole on. One chroma for
-/// all hues lets no azimuth stand out; it fades at the poles, where all azimuths meet.
-function sphereColor(theta, phi) {
+/// Colour of (theta, phi), sRGB in [0, 1], that of sphere_colour.cpp: the hue follows azimuth, the lightness falls from
+/// the palm pole on. One chroma for all hues lets no azimuth stand out; it fades at the poles, where all azimuths meet.
+function sphereColour(theta, phi) {
   const lightness = 0.86 - 0.14 * phi;
   const chroma = 0.13 * Math.sqrt(Math.abs(Math.sin(phi)));
-  return oklabToSrgb(lightness, chroma * Math.cos(theta + 0.6), chroma * Math.sin(theta + 0.6));
+  return srgbFromOklab(lightness, chroma * Math.cos(theta + 0.6), chroma * Math.sin(theta + 0.6));
 }
 
 /// B. Ottosson, "A perceptual color space for image processing", 2020.
-function oklabToSrgb(lightness, a, b) {
+function srgbFromOklab(lightness, a, b) {
   const l = (lightness + 0.3963377774 * a + 0.2158037573 * b) ** 3;
   const m = (lightness - 0.1055613458 * a - 0.0638541728 * b) ** 3;
   const s = (lightness - 0.0894841775 * a - 1.2914855480 * b) ** 3;
@@ -30,15 +30,15 @@ function oklabToSrgb(lightness, a, b) {
 }
 
 /// Colours of n coordinates as a flat array [3 n].
-function sphereColors(thetaPhi) {
+function sphereColours(thetaPhi) {
   const colors = new Float32Array(thetaPhi.length / 2 * 3);
-  for (let i = 0; i < thetaPhi.length / 2; ++i) colors.set(sphereColor(thetaPhi[2 * i], thetaPhi[2 * i + 1]), 3 * i);
+  for (let i = 0; i < thetaPhi.length / 2; ++i) colors.set(sphereColour(thetaPhi[2 * i], thetaPhi[2 * i + 1]), 3 * i);
   return colors;
 }
 
-/// The colours as a disc: the palm pole in the middle, the far pole at the rim, theta = 0 at the top, positive to the left, as one
-/// sees the undeformed sphere of a right hand from the far side.
-function colorKeyCanvas(size) {
+/// The colours as a disc: the palm pole in the middle, the far pole at the rim, theta = 0 at the top, positive to the
+/// left, as one sees the undeformed sphere of a right hand from the far side.
+function colourKeyCanvas(size) {
   const canvas = element('canvas', {width: size, height: size, role: 'img', 'aria-label':
     'Colours of sphere coordinates: hue is azimuth theta, lightness falls from the palm pole in the middle'});
   const context = canvas.getContext('2d', {willReadFrequently: true});
@@ -47,7 +47,7 @@ function colorKeyCanvas(size) {
     for (let column = 0; column < size; ++column) {
       const up = 1 - (2 * row + 1) / size, left = 1 - (2 * column + 1) / size, distance = Math.hypot(up, left);
       if (distance > 1) continue;
-      const color = sphereColor(Math.atan2(left, up), distance * Math.PI);
+      const color = sphereColour(Math.atan2(left, up), distance * Math.PI);
       image.data.set([...color.map((value) => 255 * value), 255], 4 * (row * size + column));
     }
   }

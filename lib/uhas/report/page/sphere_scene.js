@@ -1,5 +1,5 @@
-// The deformed sphere in three dimensions: always the field interpolated between the driving planes, in units of its radius.
-// Colours belong to the material: they are those of the undeformed coordinates.
+// The deformed sphere in three dimensions: always the field interpolated between the driving planes, in units of its
+// radius. Colours belong to the material: they are those of the undeformed coordinates.
 'use strict';
 
 const kMeridians = 72, kParallels = 36;  // the surface's grid: 5° by 5°
@@ -14,8 +14,7 @@ class SphereScene {
   constructor(hand, phi) {
     this.hand = hand;
     this.phi = phi;
-    this.layers = {unitSphere: new THREE.Group(), sphere: new THREE.Group(), spherePoints: new THREE.Group(), planes: new THREE.Group(), axes: new THREE.Group(),
-      normal: new THREE.Group()};
+    this.layers = groups('unitSphere', 'sphere', 'spherePoints', 'planes', 'axes', 'normal');
     this.root = new THREE.Group();
     this.root.add(...Object.values(this.layers));
     this.deforming = [];  // {thetaPhi, place(positions)}: called with the deformed positions [3 n]
@@ -32,8 +31,9 @@ class SphereScene {
     this.unitMaterial = new THREE.LineBasicMaterial({transparent: true, opacity: 0.45});
     const circle = Array.from({length: kMeridians}, (_, i) => 2 * Math.PI * i / kMeridians);
     for (let axis = 0; axis < 3; ++axis) {
-      const points = circle.map((angle) => new THREE.Vector3().setComponent(axis, Math.cos(angle)).setComponent((axis + 1) % 3, Math.sin(angle)));
-      this.#show('unitSphere', new THREE.LineLoop(new THREE.BufferGeometry().setFromPoints(points), this.unitMaterial), 1);
+      const geometry = new THREE.BufferGeometry().setFromPoints(circle.map((angle) => new THREE.Vector3()
+        .setComponent(axis, Math.cos(angle)).setComponent((axis + 1) % 3, Math.sin(angle))));
+      this.#show('unitSphere', new THREE.LineLoop(geometry, this.unitMaterial), 1);
     }
   }
 
@@ -54,10 +54,11 @@ class SphereScene {
     grid.setIndex(lines);
     grid.setAttribute('position', surface.getAttribute('position'));
     this.gridMaterial = new THREE.LineBasicMaterial({transparent: true, opacity: 0.16});
-    const skin = {vertexColors: THREE.VertexColors, transparent: true, depthWrite: false};
-    this.#show('sphere', new THREE.Mesh(surface, new THREE.MeshBasicMaterial({...skin, opacity: 0.16, side: THREE.BackSide})), 1);
-    this.#show('sphere', new THREE.Mesh(surface, new THREE.MeshBasicMaterial({...skin, opacity: 0.08, side: THREE.FrontSide})), 3);
+    const skin = (side, opacity) => new THREE.Mesh(surface, new THREE.MeshBasicMaterial(
+      {vertexColors: THREE.VertexColors, transparent: true, depthWrite: false, side, opacity}));
+    this.#show('sphere', skin(THREE.BackSide, 0.16), 1);
     this.#show('sphere', new THREE.LineSegments(grid, this.gridMaterial), 2);
+    this.#show('sphere', skin(THREE.FrontSide, 0.08), 3);
   }
 
   #addPoints() {
@@ -71,7 +72,7 @@ class SphereScene {
       if (planes.indexOf(theta) !== slot) return;
       const sharing = this.phi.filter((_, other) => planes[other] === theta);
       const phi = this.phi[slot].map((_, j) => sharing.reduce((sum, angles) => sum + angles[j], 0) / sharing.length);
-      const color = new THREE.Color(...sphereColor(theta, Math.PI / 2));
+      const color = new THREE.Color(...sphereColour(theta, Math.PI / 2));
       const rim = Array.from({length: kPlaneSamples + 1}, (_, i) => [theta, Math.PI * i / kPlaneSamples]);
       const disc = this.#deformingGeometry(Float64Array.from([...rim.flat(), theta, 0]), [kPlaneSamples + 1]);
       disc.setIndex(rim.slice(1).flatMap((_, i) => [kPlaneSamples + 1, i, i + 1]));
@@ -82,13 +83,16 @@ class SphereScene {
 
       const arrows = phi.map(() => new Arrow(color, 0.006));
       arrows.forEach((arrow) => this.#show('planes', arrow, 0));
-      const label = {text: this.hand.fingersOfSlot(slot).map(({name}) => name).join(', '), position: new THREE.Vector3(), layer: 'planes', height: 0.1};
+      const label = {text: this.hand.fingersOfSlot(slot).map(({name}) => name).join(', '), height: 0.1,
+        position: new THREE.Vector3(), layer: 'planes'};
+      const distance = slot % 2 ? 0.34 : 0.2;  // so that the names of neighbours stand side by side
       this.labels.push(label);
       this.deforming.push({thetaPhi: Float64Array.from([...phi, Math.PI / 2].flatMap((angle) => [theta, angle])),
         place: (positions) => {
-          arrows.forEach((arrow, j) => arrow.point(new THREE.Vector3(), new THREE.Vector3().fromArray(positions, 3 * j)));
-          const end = new THREE.Vector3().fromArray(positions, 3 * arrows.length), length = end.length();
-          if (length > kVanished) label.position.copy(end).setLength(length + (slot % 2 ? 0.34 : 0.2));  // neighbours side by side
+          const at = (i) => new THREE.Vector3().fromArray(positions, 3 * i);
+          arrows.forEach((arrow, j) => arrow.point(new THREE.Vector3(), at(j)));
+          const end = at(arrows.length), length = end.length();
+          if (length > kVanished) label.position.copy(end).setLength(length + distance);
         }});
     });
   }
@@ -118,7 +122,7 @@ class SphereScene {
     const geometry = new THREE.BufferGeometry(), count = thetaPhi.length / 2;
     const position = new THREE.BufferAttribute(new Float32Array(3 * count), 3);
     geometry.setAttribute('position', position);
-    geometry.setAttribute('color', new THREE.BufferAttribute(sphereColors(thetaPhi), 3));
+    geometry.setAttribute('color', new THREE.BufferAttribute(sphereColours(thetaPhi), 3));
     this.deforming.push({thetaPhi, place: (positions) => {
       position.array.set(positions);
       atCentre.forEach((i) => position.array.fill(0, 3 * i, 3 * i + 3));
@@ -140,7 +144,8 @@ class SphereScene {
       const positions = new Float32Array(field.length / 2 * 3);
       for (let i = 0; i < field.length / 2; ++i) {
         // a point of negative radius has vanished
-        positions.set(spherePoint(field[2 * i], thetaPhi[2 * i + 1], Math.max(field[2 * i + 1], 0), this.hand.azimuthSign), 3 * i);
+        const radius = Math.max(field[2 * i + 1], 0);
+        positions.set(spherePoint(field[2 * i], thetaPhi[2 * i + 1], radius, this.hand.azimuthSign), 3 * i);
       }
       place(positions);
     }

@@ -9,8 +9,8 @@ class Timeline {
     this.session = session;
     this.count = session.timeline.actions.length;
     this.button = element('button', {type: 'button', id: 'timeline-play', onclick: () => this.#toggle()}, 'Play');
-    this.slider = element('input', {type: 'range', id: 'timeline-frame', min: 0, max: this.count - 1, step: 1, 'aria-label': 'Solution',
-      oninput: () => { session.stop(); session.showFrame(this.slider.valueAsNumber); }});
+    this.slider = element('input', {type: 'range', id: 'timeline-frame', min: 0, max: this.count - 1, step: 1,
+      'aria-label': 'Solution', oninput: () => { session.stop(); session.showFrame(this.slider.valueAsNumber); }});
     this.rate = element('select', {id: 'timeline-rate', 'aria-label': 'Solutions a second'},
       ...kRates.map((rate) => element('option', {value: rate}, `${rate}/s`)));
     this.rate.value = 10;

@@ -18,7 +18,7 @@ class Viewer {
   /// Throws Error when the browser gives no WebGL.
   constructor(container, session) {
     const canvas = element('canvas', {'aria-hidden': 'true'});
-    const context = canvas.getContext('webgl', {antialias: true, alpha: false}) ?? canvas.getContext('experimental-webgl');
+    const context = canvas.getContext('webgl', {antialias: true, alpha: false});
     if (!context) throw new Error('this browser gives the page no WebGL, so the hands cannot be drawn');
     this.session = session;
     this.renderer = new THREE.WebGLRenderer({canvas, context, antialias: true});
@@ -106,8 +106,8 @@ class Viewer {
         const names = hand.jointNames.filter((_, j) => flags[j]);
         return names.length && `${label}: ${names.length > kMostNamed ? `${names.length} joints` : names.join(', ')}`;
       };
-      status.textContent = [Number.isNaN(residualRms) ? '' : `residual ${fixed(residualRms, 3)} radii`, named('at limit', atLimit),
-        named('closed', closed)].filter(Boolean).join(' · ');
+      status.textContent = [!Number.isNaN(residualRms) && `residual ${fixed(residualRms, 3)} radii`,
+        named('at limit', atLimit), named('closed', closed)].filter(Boolean).join(' · ');
     });
     this.requestDraw();
   }

@@ -83,13 +83,11 @@ ExitCode solve_stream(const Tool& tool, const Options& options) {
   return ExitCode::run_failed;
 }
 
-/// The page of a file of actions. It knows one convention, and one set of driving vectors for all planes.
+/// The page of a file of actions. Its sliders know one convention.
 void write_page(const Tool& tool, const Options& options, const ActionsDocument& document, const ProfileFile& file,
                 const SolveOptions& solve) {
   if (solve.convention != ActionConvention{})
     throw Tool::wrong_usage("--html", "shows actions of uhas' own convention only");
-  if (document.driving_vectors_phi.size() > kMaxDrivingVectors)
-    throw Tool::wrong_usage("--html", "shows actions with the same driving vectors in all planes only");
   std::vector<ReportHand> hands = report_hands({&file, 1}, find_geometries(tool, {&file, 1}, options.model));
   hands.front().timeline = {document.actions, document.driving_vectors_phi, document.normalized, solve};
   write_result(options.html, report_page(hands));

@@ -89,6 +89,10 @@ Json joints_json(const HandProfile& profile) {
   for (int i = 0; i < static_cast<int>(profile.tree.joints.size()); ++i) {
     const Joint& joint = profile.tree.joints[i];
     const auto link = std::ranges::find(profile.links, i, &ProfileLink::joint);
+    if (link == profile.links.end())
+      throw Error(ErrorCode::invalid_profile, "",
+                  "joint " + joint.name + " carries no link, so that it has no place to be drawn at",
+                  "rebuild it with uhas-build-profile");
     const RigidTransformd T_link_joint = link->T_joint_link.inverse();
     joints.push_back({{"kind", kinds[static_cast<std::size_t>(joint.kind)]},
                       {"link", link - profile.links.begin()},
@@ -232,6 +236,7 @@ std::vector<double> driving_vectors_phi(const std::optional<ReportTimeline>& tim
 
 Json hand_json(const ReportHand& hand) {
   const HandProfile& profile = hand.profile;
+  const bool has_actions = hand.timeline && !hand.timeline->actions.empty();
   validate_profile(profile, "");
   Json bounds = Json::array();
   for (const Bounds& bound : delta_theta_bounds(profile)) bounds.push_back({bound.lower, bound.upper});
@@ -251,7 +256,7 @@ Json hand_json(const ReportHand& hand) {
           {"T_palm_sphere", matrix_json(profile.T_palm_sphere)},
           {"radius", profile.radius},
           {"mirrored", profile.mirrored},
-          {"timeline", hand.timeline ? timeline_json(profile, *hand.timeline) : Json()},
+          {"timeline", has_actions ? timeline_json(profile, *hand.timeline) : Json()},
           {"evaluation", hand.evaluation_json.empty() ? Json() : Json::parse(hand.evaluation_json)}};
 }
 

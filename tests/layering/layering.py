@@ -28,7 +28,7 @@ ROOMS = {
                         "lateral_tables", "correspondences"],
     "geometry": ["base", "profile", "model"],
     "collision": ["base", "profile", "runtime", "model", "geometry"],
-    "report": ["base", "profile", "runtime", "model", "geometry"],
+    "report": ["base", "profile", "profile_io", "runtime", "model", "geometry"],
 }
 
 # The rooms that may include a library; every other library but C++'s and the system's own is for nobody in lib.
@@ -40,7 +40,7 @@ LIBRARIES = {
     "tinyxml": ["model"],
     "console_bridge": ["model"],
     "assimp": ["model", "report"],
-    "nlohmann": ["model", "anatomy", "profile_builder"],
+    "nlohmann": ["model", "anatomy", "profile_builder", "report"],
     "embree3": ["correspondences"],
     "embree4": ["correspondences"],
     "meshoptimizer": ["geometry"],

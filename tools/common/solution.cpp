@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "common/collision_input.hpp"
 #include "common/table.hpp"
 #include "common/tool.hpp"
 
@@ -33,17 +34,18 @@ std::vector<std::string> names_of(const KinematicTree& tree) {
 
 }  // namespace
 
-SolutionMaker::SolutionMaker(const HandProfile& profile, const SolveOptions& options, const JointSelection& selection,
-                             const CollisionUse& collision)
-    : solver_(profile, options),
-      collision_(collision),
-      names_(names_of(profile.tree)),
-      selected_(select(profile, names_, selection)),
+SolutionMaker::SolutionMaker(ProfileFile file, const SolveOptions& options, const JointSelection& selection,
+                             const CollisionUse& collision, const ModelInput& model)
+    : file_(std::move(file)),
+      solver_(file_.profile, options),
+      collision_use_(collision),
+      names_(names_of(file_.profile.tree)),
+      selected_(select(file_.profile, names_, selection)),
       q_(names_.size()),
       at_limit_(names_.size()),
       closed_(names_.size()) {
-  if (collision.avoid) free_solver_.emplace(profile, options, *collision.hand);
-  for (const ProfileLink& link : profile.links) link_names_.push_back(link.name);
+  if (collision.report || collision.avoid) collision_.emplace(load_self_collision(file_, model));
+  if (collision.avoid) free_solver_.emplace(file_.profile, options, *collision_);
 }
 
 std::vector<std::string> SolutionMaker::joint_names() const {
@@ -55,10 +57,13 @@ std::vector<std::string> SolutionMaker::joint_names() const {
 Json SolutionMaker::solve(const Action<double>& action, const std::string& place) {
   SolveReport report{.residual_rms = 0, .at_limit = at_limit_, .closed = closed_};
   CollisionFreeSolution free;
-  if (collision_.avoid)
+  if (collision_use_.avoid) {
     free = free_solver_->solve(action, q_, report);
-  else
+    solved_values_ = free.values;
+  } else {
     free.status = solver_.solve(action, q_, report);
+    solved_values_.assign(action.values.begin(), action.values.end());
+  }
   if (free.status != Status::ok) throw Error(ErrorCode::invalid_action, place, to_string(free.status), "");
 
   Json q = Json::array();
@@ -68,12 +73,12 @@ Json SolutionMaker::solve(const Action<double>& action, const std::string& place
                    {"at_limit", names_where(at_limit_)},
                    {"closed", names_where(closed_)}};
   ++solved_;
-  if (collision_.avoid) {
+  if (collision_use_.avoid) {
     solution["scaled"] = free.scale ? Json(*free.scale) : Json(nullptr);
     scaled_ += free.scale && *free.scale < 1;
     colliding_ += !free.scale;
   }
-  if (collision_.report) solution["collision"] = nearest_links();
+  if (collision_use_.report) solution["collision"] = nearest_links();
   return solution;
 }
 
@@ -89,9 +94,10 @@ std::vector<std::string> SolutionMaker::warnings() const {
 }
 
 Json SolutionMaker::nearest_links() const {
-  const NearestLinks nearest = collision_.hand->nearest(q_);
+  const NearestLinks nearest = collision_->nearest(q_);
+  const std::vector<ProfileLink>& links = file_.profile.links;
   Json pair = nullptr;
-  if (nearest.first >= 0) pair = {link_names_[nearest.first], link_names_[nearest.second]};
+  if (nearest.first >= 0) pair = {links[nearest.first].name, links[nearest.second].name};
   return {{"distance", nearest.distance}, {"pair", pair}, {"colliding", nearest.colliding}};
 }
 

@@ -46,14 +46,18 @@ CollisionFreeSolution CollisionFreeSolver::solve(const Action<double>& action, s
   CollisionFreeSolution result;
   result.status = search_->solver.solve(action, q, report);
   if (result.status != Status::ok) return result;
+  result.values.assign(action.values.begin(), action.values.end());
   if (!search_->collision.collides(q)) {
     result.scale = 1;
     return result;
   }
   search_->way.lead_to(action);
   if (search_->collides_at(0)) return result;
+
   result.scale = search_->free_scale();
-  result.status = search_->solver.solve(search_->way.at(*result.scale), q, report);
+  const Action<double> scaled = search_->way.at(*result.scale);
+  result.values.assign(scaled.values.begin(), scaled.values.end());
+  result.status = search_->solver.solve(scaled, q, report);
   return result;
 }
 

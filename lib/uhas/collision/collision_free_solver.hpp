@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "uhas/collision/self_collision.hpp"
 #include "uhas/runtime/cascade_solver.hpp"
@@ -16,6 +17,7 @@ struct CollisionFreeSolution {
   /// In [0, 1]: the solution is that of the deformation scaled by this; 1 = as asked for. Empty when the undeformed
   /// hand collides too: the solution is that of the action as asked for.
   std::optional<double> scale;
+  std::vector<double> values;  ///< numbers of the action that was solved
 };
 
 /// An action whose solution collides is scaled toward the undeformed sphere. The way is walked from there in 32 equal

@@ -97,6 +97,7 @@ TEST_CASE("what collides is scaled back to where it is about to, what is free is
       ++free;
       CHECK(*solution.scale == 1);
       CHECK(q == wanted);
+      CHECK(solution.values == action);
       continue;
     }
     ++taken_back;
@@ -104,6 +105,7 @@ TEST_CASE("what collides is scaled back to where it is about to, what is free is
     CHECK(scale < 1);
     CHECK_FALSE(collides(hand, q));
     CHECK(q == solve(hand, scaled(action, scale)));
+    CHECK(solution.values == scaled(action, scale));
     for (int step = 0; step / 32.0 <= scale; ++step)
       CHECK_FALSE(collides(hand, solve(hand, scaled(action, step / 32.0))));
     CHECK(collides(hand, solve(hand, scaled(action, scale + 1 / 32768.0))));

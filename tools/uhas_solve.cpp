@@ -8,6 +8,7 @@
 #include "common/report_page.hpp"
 #include "common/solution.hpp"
 #include "common/tool.hpp"
+#include "uhas/base/file_bytes.hpp"
 #include "uhas/profile_io/read_profile.hpp"
 
 using namespace uhas;
@@ -90,7 +91,9 @@ void write_page(const Tool& tool, const Options& options, const ActionsDocument&
     throw Tool::wrong_usage("--html", "shows actions of uhas' own convention only");
   std::vector<ReportHand> hands = report_hands({&file, 1}, find_geometries(tool, {&file, 1}, options.model));
   hands.front().timeline = {document.actions, document.driving_vectors_phi, document.normalized, solve};
-  write_result(options.html, report_page(hands));
+  const std::string page = report_page(hands);
+  replace_file(options.html, std::as_bytes(std::span(page)));
+  tool.log("wrote " + options.html);
 }
 
 ExitCode solve_file(const Tool& tool, const Options& options) {

@@ -69,6 +69,7 @@ function checkRefusals(solver) {
   assert.throws(() => solver.field(zeros.slice(1), [0, 1]), {message: 'a span has the wrong length'});
   assert.throws(() => solver.solve(zeros, {driving_vectors_phi: [2, 1]}), /driving-vector angles must increase/);
   assert.throws(() => solver.solve(zeros, {rule: 'none'}), {message: 'rule is none; it is one of correspondence, contact'});
+  assert.throws(() => solver.solve(zeros, {passes: 101}), {message: 'passes is 101; it is a whole number from 1 to 100'});
   assert.throws(() => solver.pose([0]), /a pose of this hand has \d+ joint values, not 1/);
   assert.deepStrictEqual(solver.solve(zeros), before);
 }

@@ -81,7 +81,9 @@ class SolverHand {
       if (!words.includes(word)) throw new Error(`${name} is ${word}; it is one of ${words.join(', ')}`);
       return words.indexOf(word);
     });
-    chosen.push(options.passes ?? 1);
+    const passes = options.passes ?? 1;
+    if (!Number.isInteger(passes) || passes < 1 || passes > 100) throw new Error(`passes is ${passes}; it is a whole number from 1 to 100`);
+    chosen.push(passes);
     if (this.#options === chosen.join()) return;
     this.#call('set_options', ...chosen);
     this.#options = chosen.join();

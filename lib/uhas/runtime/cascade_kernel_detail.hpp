@@ -284,15 +284,17 @@ typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::fit_single(const Model& mod
   const Num hold = Num(Real(kHold)) * arms / (moments.weight + least * least) + least;
   const TurnFit<Num> fit = fit_turn(moments, F);
   const Num along = max(fit.cosine * present.cosine + fit.sine * present.sine, zero) + hold;
-  Num across = fit.sine * present.cosine - fit.cosine * present.sine;
+  const Num across = fit.sine * present.cosine - fit.cosine * present.sine;
+  Num sine = across, cosine = along;
   if (pass.first) {
     const PlaneDeformation<Num>& plane = plane_of(model, step.first_finger);
-    across += (Num(j.lead[0]) * plane.lead[0] + Num(j.lead[1]) * plane.lead[1]) * along;
+    const Num lead = Num(j.lead[0]) * plane.lead[0] + Num(j.lead[1]) * plane.lead[1];
+    sine += lead * along, cosine -= lead * across;
   }
-  const Num per_length = one / sqrt(across * across + along * along);
-  return within_limits(j, {present.q + atan2_in_front(across, along),
-                           (present.cosine * along - present.sine * across) * per_length,
-                           (present.cosine * across + present.sine * along) * per_length});
+  const Num per_length = one / sqrt(sine * sine + cosine * cosine);
+  return within_limits(j, {present.q + atan2(sine, cosine),
+                           (present.cosine * cosine - present.sine * sine) * per_length,
+                           (present.cosine * sine + present.sine * cosine) * per_length});
 }
 
 // Joints coupled by mimics have no closed form: Newton's method follows the descent from the present value to the first

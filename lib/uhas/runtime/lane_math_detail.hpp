@@ -80,11 +80,11 @@ SinCos<Num> sincos(Num x) {
           .cosine = select(quarters.negates_cosine, -cosine, cosine)};
 }
 
-/// The angle of (ax, ay), both >= 0, in [0, pi / 2], rad. (0, 0) has the angle 0.
+/// The angle of (x, y) in [-pi, pi], rad. (0, 0) has the angle 0; the sign of a zero is not looked at.
 template <class Num>
-Num angle_in_quadrant(Num ay, Num ax) {
+Num atan2(Num y, Num x) {
   using Real = LaneReal<Num>;
-  const Num small = min(ax, ay), large = max(ax, ay);
+  const Num ax = abs(x), ay = abs(y), small = min(ax, ay), large = max(ax, ay);
   // small / large = tan(angle); beyond pi/8 by atan(t) = pi/4 + atan((t - 1) / (t + 1))
   const MaskOf<Num> beyond = small > Num(Real(0.41421356237309504880)) * large;
   const Num numerator = select(beyond, small - large, small), denominator = select(beyond, small + large, large);
@@ -102,22 +102,8 @@ Num angle_in_quadrant(Num ay, Num ax) {
   }
   constexpr Real pi = std::numbers::pi_v<Real>;
   angle = select(beyond, Num(pi / 4) + angle, angle);
-  return select(ay > ax, Num(pi / 2) - angle, angle);
-}
-
-/// The angle of (x, y) in [-pi, pi], rad. (0, 0) has the angle 0; the sign of a zero is not looked at.
-template <class Num>
-Num atan2(Num y, Num x) {
-  constexpr LaneReal<Num> pi = std::numbers::pi_v<LaneReal<Num>>;
-  Num angle = angle_in_quadrant(abs(y), abs(x));
+  angle = select(ay > ax, Num(pi / 2) - angle, angle);
   angle = select(x < Num(0), Num(pi) - angle, angle);
-  return select(y < Num(0), -angle, angle);
-}
-
-/// The same for x >= 0.
-template <class Num>
-Num atan2_in_front(Num y, Num x) {
-  const Num angle = angle_in_quadrant(abs(y), x);
   return select(y < Num(0), -angle, angle);
 }
 

@@ -15,7 +15,7 @@
 namespace uhas {
 
 struct EvaluationOptions {
-  BatteryOptions battery;
+  BatteryOptions battery{};
   int smoothness_lines = 400;
   int threads = 1;
 };

@@ -32,13 +32,14 @@ Line line_between(const std::vector<double>& from, const std::vector<double>& to
 
 void add_axes(const ActionSpace& space, std::vector<Line>& lines) {
   for (int slot = 0; slot < kSlotCount; ++slot) {
+    if (space.first_slot[slot] != slot) continue;
     const int first = ActionSpace::radial(slot, 0), last = first + ActionSpace::kVectors - 1;
     for (const auto& [begin, end] : {std::pair(first, first), std::pair(last, last), std::pair(first, last)})
       for (double share : {0.0, -1.0, 1.0}) {
         std::vector<double> from = space.zero(), to = from;
         for (int s = 0; s < kSlotCount; ++s) from[s] = to[s] = share < 0 ? -share * space.lower[s] : share * space.upper[s];
         for (int i = begin; i <= end; ++i) from[i] = space.lower[i], to[i] = space.upper[i];
-        lines.push_back(line_between(from, to, true));
+        lines.push_back(line_between(space.with_fingers_agreed(from), space.with_fingers_agreed(to), true));
       }
   }
 }
@@ -46,7 +47,7 @@ void add_axes(const ActionSpace& space, std::vector<Line>& lines) {
 void add_azimuth(const ActionSpace& space, const std::vector<double>& base, int slot, std::vector<Line>& lines) {
   std::vector<double> from = base, to = base;
   from[slot] = space.lower[slot], to[slot] = space.upper[slot];
-  const Line line = line_between(from, to, false);
+  const Line line = line_between(space.with_fingers_agreed(from), space.with_fingers_agreed(to), false);
   if (line.length > 0) lines.push_back(line);
 }
 
@@ -56,8 +57,8 @@ std::vector<Line> all_lines(const ActionSpace& space, const SmoothnessOptions& o
   for (int slot = 0; slot < kSlotCount; ++slot) add_azimuth(space, space.zero(), slot, lines);
   std::mt19937_64 random(options.seed);
   for (int n = 0; n < options.lines; ++n) {
-    const std::vector<double> from = space.random(random);
-    std::vector<double> to = space.random(random);
+    const std::vector<double> from = space.with_fingers_agreed(space.random(random));
+    std::vector<double> to = space.with_fingers_agreed(space.random(random));
     std::copy_n(from.begin(), kSlotCount, to.begin());
     lines.push_back(line_between(from, to, true));
     if (n % 8 == 0) add_azimuth(space, from, n / 8 % kSlotCount, lines);

@@ -28,7 +28,7 @@ TEST_CASE("beyond its limits it stays behind by what is missing") {
   const HandProfile profile = test::slider_profile();
   std::vector<double> action(15, 0.8);
   std::fill_n(action.begin(), 5, 0.0);
-  const SurfaceScore score = measure_surface(profile, std::vector{action}, 1);
+  const SurfaceScore score = measure_surface(profile, std::vector<std::vector<double>>{action}, 1);
   CHECK(score.deformed.worst == doctest::Approx(0.3));  // at its limit of 0.5
 }
 

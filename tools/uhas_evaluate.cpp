@@ -82,12 +82,12 @@ ExitCode run(Tool& tool) {
 
   if (!options.html.empty()) {
     std::vector<ReportHand> hands = report_hands(files, geometries);
-    for (std::size_t i = 0; i < hands.size(); ++i) hands[i].evaluation_json = scores_json(run.hands[i]).dump();
+    for (std::size_t i = 0; i < hands.size(); ++i) hands[i].evaluation_json = evaluation_json(run, {&run.hands[i], 1}).dump();
     const std::string page = report_page(hands);
     replace_file(options.html, std::as_bytes(std::span(page)));
   }
   if (tool.json())
-    std::cout << to_text(evaluation_json(run));
+    std::cout << to_text(evaluation_json(run, run.hands));
   else if (options.markdown)
     print_evaluation_markdown(std::cout, run);
   else

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "common/evaluation_report.hpp"
 
 namespace uhas::tools {
@@ -111,8 +113,6 @@ Json collision_json(const HandProfile& profile, const std::optional<CollisionSco
           {"pairs", pairs}};
 }
 
-}  // namespace
-
 Json scores_json(const EvaluatedHand& hand) {
   const Evaluation& e = hand.evaluation;
   return {{"hand", hand.profile.hand},
@@ -124,15 +124,16 @@ Json scores_json(const EvaluatedHand& hand) {
           {"time", {{"median", e.time.median}, {"p99", e.time.p99}}}};
 }
 
-Json evaluation_json(const EvaluationRun& run) {
+}  // namespace
+
+Json evaluation_json(const EvaluationRun& run, std::span<const EvaluatedHand> hands) {
   Json document = new_document("uhas-evaluation");
   document["actions"] = run.options.battery.actions;
   document["radial_bound"] = run.options.battery.radial_bound;
   document["seed"] = run.options.battery.seed;
   document["lines"] = run.options.smoothness_lines;
-  Json hands = Json::array();
-  for (const EvaluatedHand& hand : run.hands) hands.push_back(scores_json(hand));
-  document["hands"] = hands;
+  document["hands"] = Json::array();
+  for (const EvaluatedHand& hand : hands) document["hands"].push_back(scores_json(hand));
   return document;
 }
 

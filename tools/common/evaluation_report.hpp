@@ -4,6 +4,7 @@
 #include <iosfwd>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "common/json_text.hpp"
 #include "uhas/evaluation/evaluation.hpp"
@@ -23,11 +24,8 @@ struct EvaluationRun {
   std::vector<EvaluatedHand> hands;
 };
 
-/// A document of schemas/evaluation.schema.json.
-Json evaluation_json(const EvaluationRun& run);
-
-/// The scores of one hand, as they stand in that document.
-Json scores_json(const EvaluatedHand& hand);
+/// A document of schemas/evaluation.schema.json, of these hands of the run.
+Json evaluation_json(const EvaluationRun& run, std::span<const EvaluatedHand> hands);
 
 /// A row a score, a column a hand; of two hands also the difference. One hand's fingers follow in tables of their own.
 void print_evaluation(std::ostream& out, const EvaluationRun& run);

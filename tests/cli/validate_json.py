@@ -85,10 +85,9 @@ def tool_documents(bin_dir, folder):
 
 
 def repository_documents():
-    for path in sorted([*ROOT.glob("examples/*.json"), *ROOT.glob("hands/configs/*.json")]):
+    for path in sorted([*ROOT.glob("examples/*.json"), *ROOT.glob("schemas/*.datasets.json")]):
         document = parse(path.read_text())
-        format_name = document.get("format", "uhas-hand-config" if path.parent.name == "configs" else "")
-        yield format_name.removeprefix("uhas-"), str(path.relative_to(ROOT)), document
+        yield document["format"].removeprefix("uhas-"), str(path.relative_to(ROOT)), document
 
 
 def main():

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A second reader of hand profiles, written from schemas/hand-profile-v1.md alone (h5py and numpy).
+"""A second reader of hand profiles, written from schemas/hand-profile-v1.md and its list of datasets alone (h5py and numpy).
 
     read_profile.py PROFILE                     checks the user block, reads everything, checks that an action of zeros
                                                 fits q_sphere
@@ -15,6 +15,8 @@ import sys
 
 import h5py
 import numpy as np
+
+import dataset_list
 
 SLOTS = 5
 
@@ -37,6 +39,14 @@ def check_user_block(path):
         raise ValueError(f"{path}: damaged")
 
 
+def seal(path):
+    """Rewrites the user block of a file that was edited, for the version that it states."""
+    with open(path, "r+b") as file:
+        data = file.read()
+        file.seek(0)
+        file.write(user_block(data, data.split(b"\n", 1)[0].decode().partition(" ")[2]))
+
+
 def values(dataset):
     """A dataset as numpy numbers, as a string, or as a list of strings."""
     content = dataset[()]
@@ -46,14 +56,17 @@ def values(dataset):
 
 
 def load(path):
-    """{group: {dataset: values}}; a list dataset becomes one array a row."""
+    """{group: {dataset: values}}; a list dataset becomes one array a row. ValueError on what the format does not allow."""
     check_user_block(path)
     with h5py.File(path, "r") as file:
-        assert file.attrs["format"] == b"uhas-hand-profile" and file.attrs["version"][0] == 1
+        if file.attrs["format"] != b"uhas-hand-profile" or file.attrs["version"][0] != 1:
+            raise ValueError(f"{path}: not a hand profile of version 1")
+        dataset_list.check(file)
         profile = {group: {name: values(file[group][name]) for name in file[group]} for group in file}
     for group in profile.values():
         for name in [name for name in group if name + "_offsets" in group]:
-            group[name] = np.split(group[name], group.pop(name + "_offsets")[1:-1])
+            offsets = group.pop(name + "_offsets")
+            group[name] = [group[name][begin:end] for begin, end in zip(offsets, offsets[1:])]
     return profile
 
 

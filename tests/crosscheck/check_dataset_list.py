@@ -56,7 +56,7 @@ def compare_writer(profile, document):
         found = {f"{group}/{name}": d.attrs["units"].decode() if "units" in d.attrs else None
                  for group in file for name, d in file[group].items()}
         version = file.attrs["version"].tolist()
-    expected = dataset_list.names_and_units(document)
+    expected = dataset_list.names_and_units(document["profile_version"])
     if version != document["profile_version"]:
         yield f"the writer writes version {version}, the list describes {document['profile_version']}"
     yield from (f"written, but not listed: {item}" for item in sorted(found.items() - expected.items(), key=str))

@@ -93,9 +93,14 @@ def check_values(values, entry, path, row_counts):
         require(np.all(RULES[entry["is"]](values.ravel() if entry["type"] == "text" else values)), path, f"is no {entry['is']}")
 
 
-def check(file, dataset_list=None):
-    """Raises Refusal unless every dataset of the list is in the open `file` as the list says; others are ignored."""
-    entries = (dataset_list or load_list())["datasets"]
+def entries_of(version):
+    """Those of the list that files of this version have."""
+    return [entry for entry in load_list()["datasets"] if entry.get("since", [1, 0]) <= list(version)]
+
+
+def check(file):
+    """Raises Refusal unless every dataset of its version is in the open `file` as the list says; others are ignored."""
+    entries = entries_of(file.attrs["version"])
     rows, row_counts = {}, {}
     for entry in entries:
         path = entry["path"]
@@ -114,10 +119,10 @@ def check(file, dataset_list=None):
         check_values(np.asarray(file[entry["path"]][()]), entry, entry["path"], row_counts)
 
 
-def names_and_units(dataset_list):
-    """{path: units or None} of every dataset that a file of the list's version has, offsets included."""
+def names_and_units(version):
+    """{path: units or None} of every dataset that a file of this version has, offsets included."""
     result = {}
-    for entry in dataset_list["datasets"]:
+    for entry in entries_of(version):
         result[entry["path"]] = entry.get("units")
         if entry.get("list"):
             result[entry["path"] + "_offsets"] = None

@@ -11,12 +11,15 @@
 import argparse
 import hashlib
 import json
+import re
 import sys
 
 import h5py
 import numpy as np
 
 import dataset_list
+import relations
+import screening
 
 SLOTS = 5
 
@@ -28,15 +31,25 @@ def user_block(data, version):
 
 
 def check_user_block(path):
+    """(major, minor) that the user block states."""
     with open(path, "rb") as file:
         data = file.read()
-    tag, _, version = data.split(b"\n", 1)[0].decode().partition(" ")
-    if tag != "uhas-hand-profile":
+    first_line = re.match(rb"uhas-hand-profile (\d+)\.(\d+)\n", data)
+    if not first_line:
         raise ValueError(f"{path}: not a hand profile")
-    if version.split(".")[0] != "1":
-        raise ValueError(f"{path}: format version {version}, this reader knows 1")
-    if data[:512] != user_block(data, version):
+    major, minor = map(int, first_line.groups())
+    if major != 1:
+        raise ValueError(f"{path}: format version {major}.{minor}, this reader knows 1")
+    if data[:512] != user_block(data, f"{major}.{minor}"):
         raise ValueError(f"{path}: damaged")
+    return major, minor
+
+
+def open_hdf5(path):
+    try:
+        return h5py.File(path, "r")
+    except OSError as error:
+        raise ValueError(f"{path}: {error}") from None
 
 
 def seal(path):
@@ -57,16 +70,18 @@ def values(dataset):
 
 def load(path):
     """{group: {dataset: values}}; a list dataset becomes one array a row. ValueError on what the format does not allow."""
-    check_user_block(path)
-    with h5py.File(path, "r") as file:
-        if file.attrs["format"] != b"uhas-hand-profile" or file.attrs["version"][0] != 1:
-            raise ValueError(f"{path}: not a hand profile of version 1")
+    major, minor = check_user_block(path)
+    with open_hdf5(path) as file:
+        screening.screen(file)
+        if file.attrs.get("format") != b"uhas-hand-profile" or list(file.attrs.get("version", [])) != [major, minor]:
+            raise ValueError(f"{path}: its root attributes do not agree with its user block")
         dataset_list.check(file)
         profile = {group: {name: values(file[group][name]) for name in file[group]} for group in file}
     for group in profile.values():
         for name in [name for name in group if name + "_offsets" in group]:
             offsets = group.pop(name + "_offsets")
             group[name] = [group[name][begin:end] for begin, end in zip(offsets, offsets[1:])]
+    relations.check(profile)
     return profile
 
 

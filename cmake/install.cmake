@@ -4,6 +4,8 @@ include(CMakePackageConfigHelpers)
 
 set(UHAS_CONFIG_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/uhas)
 set(UHAS_DATA_FOLDER ${CMAKE_INSTALL_DATADIR}/uhas)
+# Debian's zsh reads this folder below /usr; below /usr/local it reads share/zsh/site-functions
+set(UHAS_ZSH_FOLDER ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions CACHE STRING "Where completions for zsh are installed")
 
 file(RELATIVE_PATH libraries_from_tools /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR})
 set(CMAKE_INSTALL_RPATH $ORIGIN $ORIGIN/${libraries_from_tools})
@@ -36,6 +38,8 @@ install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR}
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN quickstart.sh EXCLUDE)
 install(DIRECTORY schemas DESTINATION ${UHAS_DATA_FOLDER})
 if(UHAS_BUILD_PREPROCESS)
-  install(DIRECTORY man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+  foreach(section 1 5 7)
+    install(DIRECTORY man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man${section} FILES_MATCHING PATTERN "*.${section}")
+  endforeach()
   install(DIRECTORY hands DESTINATION ${UHAS_DATA_FOLDER} PATTERN tools EXCLUDE)
 endif()

@@ -52,6 +52,7 @@ def tool_documents(bin_dir, folder):
     commands = [
         ("profile-summary", "uhas-build-profile", [HAND, "-o", profile, "--json"]),
         ("profile-summary", "uhas-inspect", [profile, "--json"]),
+        ("command-line", "uhas-inspect", ["--describe", "json"]),
         ("hand-explanation", "uhas-explain-hand", [HAND, "--json", "--write-config", config]),
         ("profile-check", "uhas-inspect", [profile, "--validate", "--check", HAND, "--json"]),
         ("sphere-frame", "uhas-sphere-frame", [HAND, "--json"]),

@@ -30,7 +30,7 @@ import dataset_list  # noqa: E402
 import read_profile  # noqa: E402
 
 REFUSALS = HERE / "refusals.txt"
-NEWER = "newer_minor"  # has datasets that the list does not know
+NEWER = "newer_minor"  # newer than the version of the list at its time, whose datasets it has, and others
 
 
 def golden_files(folder):
@@ -118,7 +118,8 @@ def main():
     if not full.exists():
         messages.append(f"{full.name} is missing: run make_golden.py for the new version")
     for path in golden_files("good"):
-        messages += check_good(bin_folder, path, document)
+        if not path.stem.startswith(NEWER) or stated_version(path) == document["profile_version"]:
+            messages += check_good(bin_folder, path, document)
 
     lines = []
     for path in golden_files("bad"):

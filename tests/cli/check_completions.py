@@ -100,12 +100,11 @@ class Zsh:
 
 def check(shell, tool, parser):
     """Messages on what a shell offers for one tool."""
-    shown = [option for option in parser["options"] if option["shown"]]
-    long_names = {name for option in shown for name in option["names"] if name.startswith("--")}
+    long_names = {name for option in parser["options"] for name in option["names"] if name.startswith("--")}
     offered = {word for word in shell.offers(tool, "--") if word.startswith("--")}
     if offered != long_names:
         yield f"offers {sorted(offered)} for --, not {sorted(long_names)}"
-    for option in shown:
+    for option in parser["options"]:
         name = option["names"][-1]
         if option["kind"] == "words":
             offered, words = shell.offers(tool, name, ""), set(option["argument"].split("|"))

@@ -37,7 +37,6 @@ OptionDescription describe(const CLI::Option& option) {
   std::ranges::replace(result.text, '\n', ' ');
   result.required = option.get_required();
   result.repeatable = option.get_expected_max() > 1;
-  result.shown = !option.get_group().empty();
   if (option.get_positional()) {
     result.names = {option.get_name(true)};
   } else {
@@ -54,8 +53,7 @@ Json to_json(const OptionDescription& option) {
           {"kind", kinds[static_cast<std::size_t>(option.kind)]},
           {"text", option.text},
           {"required", option.required},
-          {"repeatable", option.repeatable},
-          {"shown", option.shown}};
+          {"repeatable", option.repeatable}};
 }
 
 Json to_json(const std::vector<OptionDescription>& options) {

@@ -19,7 +19,6 @@ struct OptionDescription {
   std::vector<std::string> words;  ///< of ArgumentKind::words
   std::string text;                ///< one line
   bool required = false, repeatable = false;
-  bool shown = true;  ///< in --help
 };
 
 struct CommandLine {

@@ -14,12 +14,6 @@ std::string joined(const std::vector<std::string>& words, std::string_view separ
   return text;
 }
 
-std::vector<OptionDescription> shown_options(const CommandLine& command_line) {
-  std::vector<OptionDescription> result;
-  std::ranges::copy_if(command_line.options, std::back_inserter(result), &OptionDescription::shown);
-  return result;
-}
-
 /// `text` with a backslash before each of `characters`.
 std::string escaped(const std::string& text, std::string_view characters) {
   std::string result;
@@ -81,7 +75,7 @@ std::string bash_completion(const CommandLine& command_line) {
   case $before in
 )";
   std::vector<std::string> names;
-  for (const OptionDescription& option : shown_options(command_line)) {
+  for (const OptionDescription& option : command_line.options) {
     names.insert(names.end(), option.names.begin(), option.names.end());
     if (option.kind == ArgumentKind::none) continue;
     script << "    " << joined(option.names, " | ") << ") ";
@@ -100,7 +94,7 @@ std::string bash_completion(const CommandLine& command_line) {
 std::string zsh_completion(const CommandLine& command_line) {
   std::ostringstream script;
   script << "#compdef " << command_line.tool << "\n_arguments -S";
-  for (const OptionDescription& option : shown_options(command_line)) {
+  for (const OptionDescription& option : command_line.options) {
     const std::string text = "[" + escaped(option.text, "[]\\:") + "]" + zsh_argument(option);
     for (const std::string& name : option.names) {
       const std::string prefix = option.repeatable ? "*" : "(" + joined(option.names, " ") + ")";
@@ -117,7 +111,7 @@ std::string zsh_completion(const CommandLine& command_line) {
 
 std::string fish_completion(const CommandLine& command_line) {
   std::ostringstream script;
-  for (const OptionDescription& option : shown_options(command_line)) {
+  for (const OptionDescription& option : command_line.options) {
     script << "complete -c " << command_line.tool;
     for (const std::string& name : option.names)
       script << (name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1));

@@ -2,8 +2,8 @@
 
 #include <exception>
 #include <iostream>
-#include <map>
 #include <new>
+#include <string_view>
 
 #include "common/command_line.hpp"
 #include "uhas/base/errors.hpp"
@@ -18,22 +18,14 @@ std::string version_text(const std::string& tool) {
          std::to_string(kProfileVersionMinor) + "\nJSON formats " + std::to_string(kJsonVersion);
 }
 
-/// For the build and the tests, not for people: --describe prints what the parser knows.
-void add_describe_option(CLI::App& app) {
-  const std::map<std::string, std::function<std::string(const CommandLine&)>> forms{
-      {"json", [](const CommandLine& line) { return to_text(command_line_json(line)); }},
-      {"bash", bash_completion},
-      {"zsh", zsh_completion},
-      {"fish", fish_completion}};
-  const auto print = [&app, forms](const std::string& form) {
-    std::cout << forms.at(form)(describe_command_line(app)) << std::flush;
-    throw CLI::Success();
-  };
-  app.add_option_function<std::string>("--describe", print, "Print the options as a document or completion script")
-      ->check(CLI::IsMember({"json", "bash", "zsh", "fish"}).description(""))
-      ->type_name("json|bash|zsh|fish")
-      ->group("")
-      ->trigger_on_parse();
+/// What the parser knows, in the form of this name: a document or a completion script. Empty for other names.
+std::string description(const CLI::App& app, std::string_view form) {
+  const CommandLine command_line = describe_command_line(app);
+  if (form == "json") return to_text(command_line_json(command_line));
+  if (form == "bash") return bash_completion(command_line);
+  if (form == "zsh") return zsh_completion(command_line);
+  if (form == "fish") return fish_completion(command_line);
+  return "";
 }
 
 }  // namespace
@@ -49,8 +41,13 @@ void Tool::parse() {
   app_.add_flag("--verbose", verbose_, "Say on stderr what is being done");
   app_.set_version_flag("--version", version_text(name_), "Print the version and exit");
   app_.set_help_flag("-h,--help", "Print this help and exit");
-  add_describe_option(app_);
   app_.footer("Exit codes: 0 done, 1 the input or the run failed, 2 wrong usage.");
+  if (argc_ == 3 && std::string_view(argv_[1]) == "--describe") {  // for the build and the tests; not in --help
+    const std::string text = description(app_, argv_[2]);
+    if (text.empty()) throw wrong_usage("--describe", "takes json, bash, zsh or fish");
+    std::cout << text << std::flush;
+    throw CLI::Success();
+  }
   app_.parse(argc_, argv_);
   if (quiet_ && verbose_) throw wrong_usage("--verbose", "excludes --quiet");
 }

@@ -6,6 +6,7 @@ uhas_build_packages=(
   liburdfdom-dev libconsole-bridge-dev libtinyxml-dev    # URDF
   libassimp-dev libembree-dev nlohmann-json3-dev         # meshes, rays, hand configs
   libeigen3-dev                                          # axes of a palm's surface
+  libmeshoptimizer-dev                                   # meshes for pictures
   libcli11-dev                                           # tools
 )
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <iostream>
 
+#include "common/findings.hpp"
 #include "common/hand_explanation.hpp"
 #include "common/hand_input.hpp"
 #include "common/profile_summary.hpp"
@@ -39,6 +40,8 @@ ExitCode build(Tool& tool) {
     std::cout << to_text(profile_summary_json(profile));
   } else if (!tool.quiet()) {
     print_profile(std::cout, profile, false);
+    std::cout << '\n';
+    print_findings(std::cout, profile.findings);
     std::cout << "\nWrote " << output << '\n';
   }
   return ExitCode::done;

@@ -20,10 +20,10 @@ std::string driven_finger(const BuildStages& stages, int table) {
 void print(const BuildStages& stages) {
   Table table({{"joint"},
                {"drives"},
-               {"neutral", Align::right},
-               {"azimuth there", Align::right},
-               {"from", Align::right},
-               {"to", Align::right},
+               {"neutral, deg", Align::right},
+               {"azimuth there, deg", Align::right},
+               {"from, deg", Align::right},
+               {"to, deg", Align::right},
                {"samples", Align::right}});
   for (std::size_t i = 0; i < stages.lateral_tables.tables.size(); ++i) {
     const LateralTable& lateral = stages.lateral_tables.tables[i];
@@ -32,7 +32,7 @@ void print(const BuildStages& stages) {
                    degrees(lateral.delta_theta_upper), std::to_string(lateral.q.size())});
   }
   table.print(std::cout);
-  std::cout << "Angles are in degrees; from and to are relative to the azimuth at neutral.\n";
+  std::cout << "From and to are relative to the azimuth at neutral.\n";
   std::vector<std::string> without;
   for (const int i : fingers_by_slot(stages.sphere_frame))
     if (stages.lateral_tables.table_of_finger[i] < 0) without.push_back(stages.sphere_frame.names[i]);

@@ -88,15 +88,16 @@ void print_tables(const std::vector<BuildMeasurement>& hands, std::ostream& out)
   for (const std::string& column : kColumns) columns.push_back({column, columns.empty() ? Align::left : Align::right});
   Table table(columns);
   for (const BuildMeasurement& hand : hands) {
-    table.add_row(cells(hand));
+    const std::vector<std::string> row = cells(hand);
+    table.add_row({row.begin(), row.end()});
     stage_columns.push_back({hand.hand, Align::right});
   }
   table.print(out);
   out << '\n';
   Table stages(stage_columns);
   for (std::size_t k = 0; k < hands.front().stages.size(); ++k) {
-    std::vector<std::string> row{hands.front().stages[k].stage};
-    for (const BuildMeasurement& hand : hands) row.push_back(milliseconds(hand.stages[k].summary.median));
+    std::vector<Table::Cell> row{hands.front().stages[k].stage};
+    for (const BuildMeasurement& hand : hands) row.emplace_back(milliseconds(hand.stages[k].summary.median));
     stages.add_row(row);
   }
   stages.print(out);

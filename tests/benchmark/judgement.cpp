@@ -59,7 +59,10 @@ tools::Json to_json(const std::vector<Judgement>& judgements) {
 void print_table(const std::vector<Judgement>& judgements, std::ostream& out) {
   tools::Table table(
       {{"requirement"}, {"must", Align::right}, {"aim", Align::right}, {"measured", Align::right}, {"on"}, {"result"}});
-  for (const Judgement& judgement : judgements) table.add_row(cells(judgement));
+  for (const Judgement& judgement : judgements) {
+    const std::vector<std::string> row = cells(judgement);
+    table.add_row({row.begin(), row.end()});
+  }
   table.print(out);
 }
 

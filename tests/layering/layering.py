@@ -26,6 +26,8 @@ ROOMS = {
     "correspondences": ["base", "profile", "runtime", "model", "anatomy", "sphere_frame"],
     "profile_builder": ["base", "profile", "runtime", "model", "anatomy", "sphere_frame", "classification", "wrap",
                         "lateral_tables", "correspondences"],
+    "geometry": ["base", "profile", "model"],
+    "report": ["base", "profile", "runtime", "model", "geometry"],
 }
 
 # The rooms that may include a library; every other library but C++'s and the system's own is for nobody in lib.
@@ -36,10 +38,11 @@ LIBRARIES = {
     "urdf_model": ["model"],
     "tinyxml": ["model"],
     "console_bridge": ["model"],
-    "assimp": ["model"],
+    "assimp": ["model", "report"],
     "nlohmann": ["model", "anatomy", "profile_builder"],
     "embree3": ["correspondences"],
     "embree4": ["correspondences"],
+    "meshoptimizer": ["geometry"],
 }
 
 # What users of the runtime see: its public headers include C++'s own and each other, no library.

@@ -10,7 +10,7 @@ namespace uhas::tools {
 
 Json profile_summary_json(const HandProfile& profile);
 
-/// What was found: hand, palm, sphere, fingers, joints, and why it was inferred. Angles in degrees, lengths in millimetres.
+/// What was found: hand, palm, sphere, fingers and joints. Angles in degrees, lengths in millimetres.
 /// @param in_full  also the three poses of each joint
 void print_profile(std::ostream& out, const HandProfile& profile, bool in_full);
 

@@ -35,8 +35,8 @@ void print_fingers(std::ostream& out, const HandProfile& profile) {
   Table table({{"finger"},
                {"slots"},
                {"tip link"},
-               {"tip phi", Align::right},
-               {"sideways range", Align::right},
+               {"tip phi, deg", Align::right},
+               {"sideways range, deg", Align::right},
                {"points", Align::right}});
   for (const ProfileFinger& finger : profile.fingers) {
     std::string range = "-";
@@ -57,16 +57,17 @@ void print_fingers(std::ostream& out, const HandProfile& profile) {
 
 void print_joints(std::ostream& out, const HandProfile& profile, bool with_poses) {
   std::vector<Table::Column> columns{
-      {"finger"}, {"joint"}, {"class"}, {"lower", Align::right}, {"upper", Align::right}};
+      {"finger"}, {"joint"}, {"class"}, {"lower, deg", Align::right}, {"upper, deg", Align::right}};
   if (with_poses)
-    for (const char* pose : {"open", "sphere", "closed"}) columns.push_back({pose, Align::right});
+    for (const char* pose : {"q_open, deg", "q_sphere, deg", "q_closed, deg"}) columns.push_back({pose, Align::right});
   Table table(columns);
   for (const ProfileFinger& finger : profile.fingers)
     for (const int index : finger.joints) {
       const Joint& joint = profile.tree.joints[index];
       const JointTraits& traits = profile.joint_traits[index];
-      std::vector<std::string> cells{index == finger.joints.front() ? finger.name : "", joint.name,
-                                     role_text(profile, finger, index), joint_value(joint, joint.lower),
+      const Tone tone = traits.joint_class == JointClass::lateral ? Tone::lateral : Tone::encompassing;
+      std::vector<Table::Cell> cells{index == finger.joints.front() ? finger.name : "", joint.name,
+                                     {role_text(profile, finger, index), tone}, joint_value(joint, joint.lower),
                                      joint_value(joint, joint.upper)};
       if (with_poses)
         for (const double q : {traits.q_open, traits.q_sphere, traits.q_closed}) cells.push_back(joint_value(joint, q));
@@ -85,20 +86,17 @@ void print_profile(std::ostream& out, const HandProfile& profile, bool in_full) 
   const auto used =
       std::ranges::count_if(profile.correspondences, [](const Correspondence& p) { return p.weight > 0; });
 
-  out << "Hand    " << profile.hand;
+  const auto label = [&out](const char* word) { return toned(out, word, Tone::heading); };
+  out << label("Hand") << "    " << profile.hand;
   if (profile.handedness != Handedness::none) out << ", a " << to_word(profile.handedness) << " hand";
-  out << "\nPalm    link " << profile.palm_link << ", normal (" << fixed(normal.x, 3) << ", " << fixed(normal.y, 3)
-      << ", " << fixed(normal.z, 3) << ") in " << profile.root_link << "\nSphere  radius "
+  out << "\n" << label("Palm") << "    link " << profile.palm_link << ", normal (" << fixed(normal.x, 3) << ", " << fixed(normal.y, 3)
+      << ", " << fixed(normal.z, 3) << ") in " << profile.root_link << '\n' << label("Sphere") << "  radius "
       << millimetres(profile.radius) << " mm, centre (" << millimetres(center.x) << ", " << millimetres(center.y)
-      << ", " << millimetres(center.z) << ") mm in " << profile.root_link << "\nPoints  "
-      << profile.correspondences.size() << " on the surface, palm included; the solver uses " << used
-      << "\nAngles are in degrees.\n\n";
+      << ", " << millimetres(center.z) << ") mm in " << profile.root_link << '\n' << label("Points") << "  "
+      << profile.correspondences.size() << " on the surface, palm included; the solver uses " << used << "\n\n";
   print_fingers(out, profile);
   out << '\n';
   print_joints(out, profile, in_full);
-  if (profile.findings.empty()) return;
-  out << '\n';
-  print_findings(out, profile.findings);
 }
 
 }  // namespace uhas::tools

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "common/terminal.hpp"
+
 namespace uhas::tools {
 
 enum class Align { left, right };
@@ -17,16 +19,24 @@ class Table {
     Align align = Align::left;
   };
 
+  struct Cell {
+    std::string text;
+    Tone tone = Tone::plain;
+
+    Cell(std::string text_, Tone tone_ = Tone::plain) : text(std::move(text_)), tone(tone_) {}
+    Cell(const char* text_) : text(text_) {}
+  };
+
   explicit Table(std::vector<Column> columns) : columns_(std::move(columns)) {}
 
   /// One cell a column.
-  void add_row(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
+  void add_row(std::vector<Cell> cells) { rows_.push_back(std::move(cells)); }
 
   void print(std::ostream& out) const;
 
  private:
   std::vector<Column> columns_;
-  std::vector<std::vector<std::string>> rows_;
+  std::vector<std::vector<Cell>> rows_;
 };
 
 /// `value` with `decimals` digits after the point; never "-0".

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "common/command_line.hpp"
+#include "common/terminal.hpp"
 #include "uhas/base/errors.hpp"
 #include "uhas/profile/hand_profile.hpp"
 
@@ -54,14 +55,16 @@ void Tool::parse() {
 
 void Tool::warn(std::span<const std::string> warnings) const {
   if (quiet_) return;
-  for (const std::string& warning : warnings) std::cerr << name_ << ": warning: " << warning << '\n';
+  for (const std::string& warning : warnings) std::cerr << name_ << ": " << toned(std::cerr, "warning:", Tone::warning) << ' ' << warning << '\n';
 }
 
 void Tool::log(const std::string& text) const {
   if (verbose_) std::cerr << name_ << ": " << text << '\n';
 }
 
-void Tool::report_error(const std::string& text) const { std::cerr << name_ << ": error: " << text << '\n'; }
+void Tool::report_error(const std::string& text) const {
+  std::cerr << name_ << ": " << toned(std::cerr, "error:", Tone::error) << ' ' << text << '\n';
+}
 
 CLI::ParseError Tool::wrong_usage(const std::string& option, const std::string& problem) {
   return CLI::ValidationError(option, problem);

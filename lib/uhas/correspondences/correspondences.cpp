@@ -25,17 +25,12 @@ void check(const CorrespondenceOptions& options) {
 /// The meshes of all links in S (m), the hand standing at `q`.
 std::vector<PosedMesh> pose_meshes(const HandModel& model, const Anatomy& anatomy, const SphereFrame& frame,
                                    std::span<const double> q) {
-  std::vector<RigidTransformd> T_palm_joint(anatomy.tree.joints.size());
-  forward_kinematics(anatomy.tree, q, T_palm_joint);
+  const std::vector<RigidTransformd> T_palm_link = link_poses(anatomy.tree, anatomy.links, q);
   const RigidTransformd T_sphere_palm = frame.T_palm_sphere.inverse();
 
   std::vector<PosedMesh> posed;
-  for (std::size_t i = 0; i < anatomy.links.size(); ++i) {
-    const ProfileLink& link = anatomy.links[i];
-    const RigidTransformd T_palm_link =
-        link.joint < 0 ? link.T_joint_link : T_palm_joint[link.joint] * link.T_joint_link;
-    posed.push_back({&model.links[anatomy.model_links[i]].mesh, T_sphere_palm * T_palm_link});
-  }
+  for (std::size_t i = 0; i < anatomy.links.size(); ++i)
+    posed.push_back({&model.links[anatomy.model_links[i]].mesh, T_sphere_palm * T_palm_link[i]});
   return posed;
 }
 

@@ -83,6 +83,7 @@ class Cascade {
   void solve_step(const Model& model, const SolverStep& step, const RigidTransform<Num>& F, Num decay) noexcept;
   void close_faded(const Model& model, const SolverPart& part) noexcept;
 
+  Fit fit_step(const Model& model, const SolverStep& step, const RigidTransform<Num>& F, Num decay) noexcept;
   Fit fit_single(const Model& model, int joint, const RigidTransform<Num>& F) const noexcept;
   Fit fit_group(const Model& model, const SolverStep& step, Num decay) noexcept;
   Descent descent(const Model& model, const SolverStep& step, const JointValue<Num>& value, Num decay) noexcept;

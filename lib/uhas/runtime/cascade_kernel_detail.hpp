@@ -217,27 +217,27 @@ void Cascade<Num, Wide>::solve_step(const Model& model, const SolverStep& step, 
   const JointValue<Num> present = state.value;
 
   Fit fit{present, Mask(false)};
-  if (!all(closed)) {
-    if constexpr (LaneTraits<Num>::width == 1) {
-      if (model.options.rule == Rule::contact)
-        fit = within_limits(
-            model.joints[step.joint],
-            model.joints[step.joint].value(step.single ? contact_single(model, step, F) : contact_group(model, step)));
-      else
-        fit = step.single ? fit_single(model, step.joint, F) : fit_group(model, step, decay);
-    } else {
-      fit = step.single ? fit_single(model, step.joint, F) : fit_group(model, step, decay);
-    }
-  }
+  if (!all(closed)) fit = fit_step(model, step, F, decay);
   if (any(closed)) {
     fit.value = choose(closed, present, fit.value);
     fit.at_limit = fit.at_limit & Mask(!closed);
   }
-  state.set(fit.value);
+  set_unknown(model, step, fit.value);
   state.at_limit = fit.at_limit, state.closed = closed;
   if (step.single) return;
-  set_unknown(model, step, fit.value);
   for (int i : step.driven) joints_[i].at_limit = fit.at_limit, joints_[i].closed = closed;
+}
+
+template <class Num, class Wide>
+typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::fit_step(const Model& model, const SolverStep& step,
+                                                              const RigidTransform<Num>& F, Num decay) noexcept {
+  if constexpr (LaneTraits<Num>::width == 1) {  // the contact rule is not made for lanes
+    if (model.options.rule == Rule::contact) {
+      const SolverJoint<Real>& joint = model.joints[step.joint];
+      return within_limits(joint, joint.value(step.single ? contact_single(model, step, F) : contact_group(model, step)));
+    }
+  }
+  return step.single ? fit_single(model, step.joint, F) : fit_group(model, step, decay);
 }
 
 template <class Num, class Wide>

@@ -1,16 +1,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "uhas/runtime/axis_frame_detail.hpp"
 #include "uhas/runtime/fingertip_chain_detail.hpp"
 
 namespace uhas {
 namespace {
-
-/// The rotation whose z is the joint's axis.
-Rotationd axis_frame(const Joint& joint) {
-  const Vector3d z = normalized(joint.axis), x = any_orthogonal(z);
-  return Rotationd::from_columns(x, cross(z, x), z);
-}
 
 Vector3d turned_about_z(Vector3d p, double angle) { return Rotationd::about({0, 0, 1}, angle) * p; }
 

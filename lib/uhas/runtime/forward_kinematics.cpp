@@ -36,6 +36,15 @@ void forward_kinematics(const KinematicTree& tree, std::span<const double> q, st
   for (int i : joints) place(tree, q, i, T_root_joint);
 }
 
+std::vector<RigidTransformd> link_poses(const KinematicTree& tree, std::span<const ProfileLink> links,
+                                        std::span<const double> q) {
+  std::vector<RigidTransformd> T_root_joint(tree.joints.size()), T_root_link;
+  forward_kinematics(tree, q, T_root_joint);
+  for (const ProfileLink& link : links)
+    T_root_link.push_back(link.joint < 0 ? link.T_joint_link : T_root_joint[link.joint] * link.T_joint_link);
+  return T_root_link;
+}
+
 double clamp_to_limits(const Joint& joint, double q) { return std::clamp(q, joint.lower, joint.upper); }
 
 }  // namespace uhas

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "uhas/base/kinematic_tree.hpp"
+#include "uhas/profile/hand_profile.hpp"
 
 namespace uhas {
 
@@ -20,6 +22,9 @@ void forward_kinematics(const KinematicTree& tree, std::span<const double> q, st
 /// The same for `joints` alone, increasing indices that hold the parent of each, if it has one.
 void forward_kinematics(const KinematicTree& tree, std::span<const double> q, std::span<const int> joints,
                         std::span<RigidTransformd> T_root_joint);
+
+/// Frames of `links` in the tree's root frame. `q`: one value a joint of `tree`, taken as it is. Allocates.
+std::vector<RigidTransformd> link_poses(const KinematicTree& tree, std::span<const ProfileLink> links, std::span<const double> q);
 
 /// `q` held within the joint's limits.
 double clamp_to_limits(const Joint& joint, double q);

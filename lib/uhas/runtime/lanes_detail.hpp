@@ -50,7 +50,6 @@ struct Lanes {
   constexpr Lanes& operator+=(Lanes b) { return *this = *this + b; }
   constexpr Lanes& operator-=(Lanes b) { return *this = *this - b; }
   constexpr Lanes& operator*=(Lanes b) { return *this = *this * b; }
-  constexpr Lanes& operator/=(Lanes b) { return *this = *this / b; }
 
   friend constexpr Mask operator<(Lanes a, Lanes b) { return Mask(a.v < b.v); }
   friend constexpr Mask operator<=(Lanes a, Lanes b) { return Mask(a.v <= b.v); }

@@ -77,17 +77,6 @@ struct PointMoments : TargetMoments<Num> {
     p += other.p;
     this->add_targets(other, Num(1));
   }
-
-  template <class To>
-  PointMoments<To> cast() const {
-    PointMoments<To> result;
-    result.full_weight = To(full_weight);
-    result.weight = To(weight);
-    result.p = p.template cast<To>();
-    result.t = this->t.template cast<To>();
-    for (int j = 0; j < 3; ++j) result.pt[j] = this->pt[j].template cast<To>();
-    return result;
-  }
 };
 
 /// What a turning joint sees of its points, in the joint's frame F before its own motion, whose z is the joint's axis.

@@ -2,16 +2,11 @@
 
 #include <cmath>
 
+#include "uhas/runtime/axis_frame_detail.hpp"
 #include "uhas/runtime/observation_kernel_detail.hpp"
 
 namespace uhas {
 namespace {
-
-/// The rotation whose z is the joint's axis. Frames turned by it make a joint's motion one in their first two columns.
-Rotationd axis_frame(const Joint& joint) {
-  const Vector3d z = normalized(joint.axis), x = any_orthogonal(z);
-  return Rotationd::from_columns(x, cross(z, x), z);
-}
 
 /// The finger each slot shows: its owner; of several owners the one that has been shown least.
 std::array<int, kSlotCount> fingers_in_slots(const HandProfile& profile) {

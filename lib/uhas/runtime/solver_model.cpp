@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "uhas/base/spherical.hpp"
+#include "uhas/runtime/axis_frame_detail.hpp"
 
 namespace uhas {
 namespace {
@@ -27,15 +28,12 @@ double branch_start(const Joint& joint, double q_closed) {
   return closes_upward ? joint.lower - share_of_open_side * free_arc : joint.upper + share_of_open_side * free_arc - 2 * kPi;
 }
 
-/// Turns z to the joint's axis: the joint frame of the solver in the joint frame of the profile.
-RigidTransformd axis_frame(const Joint& joint) {
-  const Vector3d x = any_orthogonal(joint.axis);
-  return {Rotationd::from_columns(x, cross(joint.axis, x), joint.axis), {}};
-}
+/// The joint frame of the solver, whose z is the axis, in the joint frame of the profile.
+RigidTransformd solver_frame(const Joint& joint) { return {axis_frame(joint), {}}; }
 
 /// Frame of the profile's joint (or, for -1, of the palm) in the solver's joint (or S), metres.
 RigidTransformd solver_from_profile(const HandProfile& profile, int joint) {
-  return joint < 0 ? profile.T_palm_sphere.inverse() : axis_frame(profile.tree.joints[joint]).inverse();
+  return joint < 0 ? profile.T_palm_sphere.inverse() : solver_frame(profile.tree.joints[joint]).inverse();
 }
 
 template <class Real>
@@ -46,7 +44,7 @@ SolverJoint<Real> compile_joint(const HandProfile& profile, const SolveOptions& 
   SolverJoint<Real> compiled;
   compiled.prismatic = joint.kind == JointKind::prismatic;
   compiled.parent = joint.parent;
-  RigidTransformd T = solver_from_profile(profile, joint.parent) * joint.T_parent_joint * axis_frame(joint);
+  RigidTransformd T = solver_from_profile(profile, joint.parent) * joint.T_parent_joint * solver_frame(joint);
   T.translation = T.translation / profile.radius;
   compiled.T_parent_joint = T.cast<Real>();
 
@@ -253,9 +251,9 @@ std::vector<int> connected_joints(const HandProfile& profile) {
 }
 
 template <class Real>
-std::vector<SolverPart> gather_parts(const HandProfile& profile, const SolverModel<Real>& model) {
+std::vector<SolverPart> gather_parts(const HandProfile& profile, const SolverModel<Real>& model,
+                                     const std::vector<bool>& moved) {
   const std::vector<int> least = connected_joints(profile);
-  const std::vector<bool> moved = moved_joints(model.steps, model.joints.size());
   std::vector<SolverPart> parts;
   for (int first = 0; first < static_cast<int>(least.size()); ++first) {
     if (least[first] != first) continue;
@@ -355,7 +353,7 @@ SolverModel<Real>::SolverModel(const HandProfile& profile, const SolveOptions& s
   const std::vector<bool> moved = moved_joints(steps, joints.size());
   for (int k = 0; k < static_cast<int>(patches.size()); ++k)
     if (moved[patches[k].joint]) patches_of_finger[patches[k].finger].push_back(k);
-  parts = gather_parts(profile, *this);
+  parts = gather_parts(profile, *this, moved);
 }
 
 template <class Real>

@@ -1,0 +1,2 @@
+uhas-inspect profile/allegro_right.h5 --gltf hand.glb --urdf hand/../leap_right/leap_right.urdf
+test ! -e hand.glb

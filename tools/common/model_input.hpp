@@ -1,0 +1,44 @@
+// The model that a profile was built from, for the tools that need its meshes. A profile holds neither meshes nor where they
+// are, only the SHA-256 of every file it was built from: that is how its model is known.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "common/tool.hpp"
+#include "uhas/model/hand_model.hpp"
+
+namespace uhas::tools {
+
+/// A profile and the file that it was read from.
+struct ProfileFile {
+  std::string path;
+  HandProfile profile;
+};
+
+struct ModelInput {
+  std::vector<std::string> urdfs;  ///< in any order
+  std::vector<PackageFolder> packages;
+};
+
+/// A model and the URDF that it was read from.
+struct ModelFile {
+  std::string path;
+  HandModel model;
+};
+
+/// --urdf FILE, repeatable, and --package.
+void add_model_options(CLI::App& app, ModelInput& input);
+
+/// The URDF as the build of `profile` read it: with the same choice of geometry.
+HandModel load_model_of(const HandProfile& profile, const std::string& profile_path, const std::string& urdf,
+                        const std::vector<PackageFolder>& packages);
+
+/// The model of each profile: of --urdf the file with the profile's SHA-256, else a file of the same name with that SHA-256 beside the
+/// profile or in the current folder, else none. Throws Error: invalid_model for a URDF of --urdf that no profile was built from, or
+/// when meshes have changed; what load_hand_model throws.
+std::vector<std::optional<ModelFile>> find_models(std::span<const ProfileFile> profiles, const ModelInput& input);
+
+}  // namespace uhas::tools

@@ -17,18 +17,15 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/lib)
 
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME libuhas${PROJECT_VERSION_MAJOR})
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION libs)
-set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "One action space for every robot hand: the runtime library
- Turns actions, deformations of a sphere, into joint angles of a robot hand.")
+set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "The runtime library, which turns actions, deformations of a sphere, into joint angles.")
 
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libuhas-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_COMPONENT_DEV_DEPENDS runtime tools)
-set(CPACK_COMPONENT_DEV_DESCRIPTION "One action space for every robot hand: headers and examples
- What programs need to be compiled against uhas, with find_package and pkg-config.")
+set(CPACK_COMPONENT_DEV_DESCRIPTION "Headers and examples: what programs need to be compiled against uhas, by find_package or pkg-config.")
 
 set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME uhas-tools)
 set(CPACK_COMPONENT_TOOLS_DEPENDS runtime)
-set(CPACK_COMPONENT_TOOLS_DESCRIPTION "One action space for every robot hand: command-line tools
- Build hand profiles from URDF, show them, solve actions and carry motions from hand to hand.")
+set(CPACK_COMPONENT_TOOLS_DESCRIPTION "Command-line tools that build hand profiles from URDF, show them, solve actions and carry motions from hand to hand.")
 
 include(CPack)

@@ -5,8 +5,10 @@
 #include "common/actions.hpp"
 #include "common/json_lines.hpp"
 #include "common/output.hpp"
+#include "common/report_page.hpp"
 #include "common/solution.hpp"
 #include "common/tool.hpp"
+#include "uhas/base/file_bytes.hpp"
 #include "uhas/profile_io/read_profile.hpp"
 
 using namespace uhas;
@@ -15,7 +17,8 @@ using namespace uhas::tools;
 namespace {
 
 struct Options {
-  std::string actions, profile, output;
+  std::string actions, profile, output, html;
+  ModelInput model;
   std::optional<SolveOptions> convention;
   std::optional<Rule> rule;
   std::optional<Closing> closing;
@@ -61,11 +64,14 @@ void add_options(CLI::App& app, Options& options) {
       ->allow_extra_args(false)
       ->option_text("A,B,C");
   app.add_flag("--actuated-only", options.joints.actuated_only, "Leave out joints that follow another one");
+  app.add_option("--html", options.html, "Draw also the solutions, played on the hand, as a page for any browser, offline")->type_name("hand.html");
+  add_model_options(app, options.model);
 }
 
 ExitCode solve_stream(const Tool& tool, const Options& options) {
   if (options.profile.empty()) throw Tool::wrong_usage("--profile", "needed when actions come from standard input");
   if (!options.output.empty()) throw Tool::wrong_usage("--output", "a stream of solutions goes to standard output");
+  if (!options.html.empty()) throw Tool::wrong_usage("--html", "needs a file of actions");
   const HandProfile profile = read_profile(options.profile);
   SolutionMaker maker(profile, options.solve_options(kUhas), options.joints);
   const std::size_t failed = answer_json_lines(std::cin, std::cout, [&](const std::string& line) {
@@ -78,13 +84,26 @@ ExitCode solve_stream(const Tool& tool, const Options& options) {
   return ExitCode::run_failed;
 }
 
-ExitCode solve_file(const Options& options) {
+/// The page of a file of actions. Its sliders know one convention.
+void write_page(const Tool& tool, const Options& options, const ActionsDocument& document, const ProfileFile& file,
+                const SolveOptions& solve) {
+  if (solve.convention != ActionConvention{})
+    throw Tool::wrong_usage("--html", "shows actions of uhas' own convention only");
+  std::vector<ReportHand> hands = report_hands({&file, 1}, find_geometries(tool, {&file, 1}, options.model));
+  hands.front().timeline = {document.actions, document.driving_vectors_phi, document.normalized, solve};
+  const std::string page = report_page(hands);
+  replace_file(options.html, std::as_bytes(std::span(page)));
+  tool.log("wrote " + options.html);
+}
+
+ExitCode solve_file(const Tool& tool, const Options& options) {
   const ActionsDocument document = read_actions(options.actions);
   const std::string profile_path = options.profile.empty() ? document.profile : options.profile;
   if (profile_path.empty())
     throw Tool::wrong_usage("--profile", "needed because " + options.actions + " does not name a hand profile");
   const HandProfile profile = read_profile(profile_path);
-  SolutionMaker maker(profile, options.solve_options(document.convention), options.joints);
+  const SolveOptions solve = options.solve_options(document.convention);
+  SolutionMaker maker(profile, solve, options.joints);
 
   Json solutions = Json::array();
   for (std::size_t i = 0; i < document.actions.size(); ++i)
@@ -94,6 +113,7 @@ ExitCode solve_file(const Options& options) {
   result["hand"] = profile.hand;
   result["joint_names"] = maker.joint_names();
   result["solutions"] = solutions;
+  if (!options.html.empty()) write_page(tool, options, document, {profile_path, profile}, solve);
   write_result(options.output, to_text(result));
   return ExitCode::done;
 }
@@ -102,7 +122,8 @@ ExitCode run(Tool& tool) {
   Options options;
   add_options(tool.options(), options);
   tool.parse();
-  return options.actions == "-" ? solve_stream(tool, options) : solve_file(options);
+  if (options.html.empty() && !options.model.urdfs.empty()) throw Tool::wrong_usage("--urdf", "needs --html");
+  return options.actions == "-" ? solve_stream(tool, options) : solve_file(tool, options);
 }
 
 }  // namespace

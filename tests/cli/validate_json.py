@@ -3,6 +3,7 @@
 import argparse
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -16,6 +17,7 @@ ACTIONS = {
     "format": "uhas-actions", "version": 1, "profile": "hand.h5", "driving_vectors_phi": [1.0, 2.0], "normalized": False,
     "actions": [[0.0] * 15, [0.0] * 5 + [-2.0] * 10, {"lateral": [0.1] * 5, "radial": [[0.2, -0.2]] * 5}],
 }
+REPORT = re.compile(r'<script type="application/json" id="uhas-report">(.*?)</script>')
 WRONG_ACTIONS = [
     {"format": "uhas-actions", "version": 1, "actions": [[0.0] * 14]},
     {"format": "uhas-actions", "version": 1, "actions": [["0"] * 15]},
@@ -75,6 +77,13 @@ def tool_documents(bin_dir, folder):
         yield schema, " ".join([tool, *switches]), parse(run(tool, *arguments))
     yield "surface-points", "uhas-project-surface -o", parse(points.read_text())
     yield "hand-config", "uhas-explain-hand --write-config", parse(config.read_text())
+
+    pages = [("uhas-inspect --html", "uhas-inspect", [profile, profile]), ("uhas-solve --html", "uhas-solve", [actions])]
+    for label, tool, arguments in pages:
+        run(tool, *arguments, "--html", folder / "page.html", "--urdf", HAND)
+        report = parse(REPORT.search((folder / "page.html").read_text())[1])
+        yield "report", label, report
+        yield "profile-summary", f"{label}: summary", report["hands"][0]["summary"]
 
     header, *frames, summary = [parse(line) for line in (folder / "out.jsonl").read_text().splitlines()]
     yield "trajectory", "uhas-retarget -o (lines)", header | summary | {"q": [frame["q"] for frame in frames]}

@@ -139,6 +139,15 @@ class Installation:
         if run(build / "build_and_solve", hand) != "16 joints\n":
             raise Failure("build_and_solve does not count 16 joints")
 
+    def check_report(self):
+        """The tools carry all that a page is made of."""
+        folder = self.scratch / "elsewhere"
+        folder.mkdir()
+        hand = self.prefix / "share/uhas/hands/allegro_right/allegro_right.urdf"
+        run(self.prefix / "bin/uhas-inspect", self.profile, "--html", "report.html", "--urdf", hand, cwd=folder)
+        if b'id="uhas-report">{"format":"uhas-report"' not in (folder / "report.html").read_bytes():
+            raise Failure("report.html has no document")
+
     def check_preprocess_refused(self):
         done = subprocess.run(["cmake", "-S", HERE / "preprocess", "-B", self.scratch / "preprocess",
                                f"-DCMAKE_PREFIX_PATH={self.prefix}"], capture_output=True, text=True)
@@ -157,7 +166,7 @@ def main():
         checks = [package.check_headers, package.check_soname, package.check_examples, package.check_pkg_config,
                   package.check_readme]
         if package.has_preprocess:
-            checks = [package.make_profile, *checks, package.check_preprocess]
+            checks = [package.make_profile, *checks, package.check_preprocess, package.check_report]
         else:
             checks.append(package.check_preprocess_refused)
         failed = 0

@@ -27,7 +27,7 @@ ROOMS = {
     "profile_builder": ["base", "profile", "runtime", "model", "anatomy", "sphere_frame", "classification", "wrap",
                         "lateral_tables", "correspondences"],
     "geometry": ["base", "profile", "model"],
-    "report": ["base", "profile", "runtime", "model", "geometry"],
+    "report": ["base", "profile", "profile_io", "runtime", "model", "geometry"],
 }
 
 # The rooms that may include a library; every other library but C++'s and the system's own is for nobody in lib.
@@ -39,7 +39,7 @@ LIBRARIES = {
     "tinyxml": ["model"],
     "console_bridge": ["model"],
     "assimp": ["model", "report"],
-    "nlohmann": ["model", "anatomy", "profile_builder"],
+    "nlohmann": ["model", "anatomy", "profile_builder", "report"],
     "embree3": ["correspondences"],
     "embree4": ["correspondences"],
     "meshoptimizer": ["geometry"],

@@ -123,5 +123,7 @@ struct Column {
   template <class Row>
   using Value = std::remove_cvref_t<std::invoke_result_t<Projection, Row&>>;
 };
+template <class Projection>
+Column(const char*, const char*, Projection) -> Column<Projection>;  // which Clang 14 does not find by itself
 
 }  // namespace uhas::detail

@@ -95,6 +95,17 @@ class ActionDecoder {
     return Status::ok;
   }
 
+  /// The numbers of an action that has passed `check`.
+  static ActionNumbers<Real> numbers_of(const Action<Real>& action) noexcept {
+    return {.values = action.values.data(),
+            .phi = action.driving_vectors_phi.data(),
+            .vectors = vectors_of(action.values.size()),
+            .angles = static_cast<int>(action.driving_vectors_phi.size()),
+            .normalized = action.normalized,
+            .azimuth_offsets = data_or_null(action.azimuth_offsets),
+            .radial_bounds = data_or_null(action.radial_bounds)};
+  }
+
   /// One deformation a finger. `planes`: [finger].
   template <class Num>
   void decode(const ActionNumbers<Num>& action, PlaneDeformation<Num>* planes) const noexcept {

@@ -31,7 +31,7 @@ apt-get -q update
 apt-get -q -y --no-install-recommends install /packages/libuhas0_*.deb /packages/uhas-tools_*.deb
 
 # the tools, with nothing of a compiler there
-! command -v c++
+if command -v c++; then exit 1; fi
 cd /root
 uhas-build-profile /usr/share/uhas/hands/allegro_right/allegro_right.urdf -o allegro_right.h5
 uhas-inspect allegro_right.h5 --validate
@@ -51,6 +51,6 @@ c++ -std=c++20 /usr/share/doc/uhas/examples/02_solve.cpp $(pkg-config --cflags -
 
 # and all of it leaves again
 apt-get -q -y remove libuhas0
-! command -v uhas-solve
+if command -v uhas-solve; then exit 1; fi
 END
 echo "The packages install, work and leave in a fresh Debian 12."

@@ -7,6 +7,7 @@ uhas_build_packages=(
   libassimp-dev libembree-dev nlohmann-json3-dev         # meshes, rays, hand configs
   libeigen3-dev                                          # axes of a palm's surface
   libmeshoptimizer-dev                                   # meshes for pictures
+  libfcl-dev                                             # self-collision
   clang-14 lld-14 wasi-libc libc++-14-dev-wasm32         # the runtime in web pages
   libc++abi-14-dev-wasm32 libclang-rt-14-dev-wasm32
   libjs-three                                            # drawings in web pages

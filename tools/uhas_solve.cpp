@@ -24,6 +24,7 @@ struct Options {
   std::optional<Closing> closing;
   SolveOptions solve;  // field and passes
   JointSelection joints;
+  CollisionUse collision;
 
   /// With the rule and the closing that were asked for, else those of the convention: the option's, else the file's.
   SolveOptions solve_options(const SolveOptions& convention_of_file) const {
@@ -64,6 +65,9 @@ void add_options(CLI::App& app, Options& options) {
       ->allow_extra_args(false)
       ->option_text("A,B,C");
   app.add_flag("--actuated-only", options.joints.actuated_only, "Leave out joints that follow another one");
+  app.add_flag("--collisions", options.collision.report,
+               "State with each solution which links come nearest to each other, and how near");
+  app.add_flag("--avoid", options.collision.avoid, "Scale back actions whose solution has the hand collide with itself");
   app.add_option("--html", options.html, "Draw also the solutions, played on the hand, as a page for any browser, offline")->type_name("hand.html");
   add_model_options(app, options.model);
 }
@@ -72,12 +76,13 @@ ExitCode solve_stream(const Tool& tool, const Options& options) {
   if (options.profile.empty()) throw Tool::wrong_usage("--profile", "needed when actions come from standard input");
   if (!options.output.empty()) throw Tool::wrong_usage("--output", "a stream of solutions goes to standard output");
   if (!options.html.empty()) throw Tool::wrong_usage("--html", "needs a file of actions");
-  const HandProfile profile = read_profile(options.profile);
-  SolutionMaker maker(profile, options.solve_options(kUhas), options.joints);
+  SolutionMaker maker({options.profile, read_profile(options.profile)}, options.solve_options(kUhas), options.joints,
+                      options.collision, options.model);
   const std::size_t failed = answer_json_lines(std::cin, std::cout, [&](const std::string& line) {
     const std::vector<double> values = parse_action(line);
     return maker.solve({.values = values}, "");
   });
+  tool.warn(maker.warnings());
   if (failed == 0) return ExitCode::done;
   tool.report_error("standard input: " + std::to_string(failed) +
                     " of the lines could not be solved; see \"error\" in the output");
@@ -97,24 +102,26 @@ void write_page(const Tool& tool, const Options& options, const ActionsDocument&
 }
 
 ExitCode solve_file(const Tool& tool, const Options& options) {
-  const ActionsDocument document = read_actions(options.actions);
+  ActionsDocument document = read_actions(options.actions);
   const std::string profile_path = options.profile.empty() ? document.profile : options.profile;
   if (profile_path.empty())
     throw Tool::wrong_usage("--profile", "needed because " + options.actions + " does not name a hand profile");
-  const HandProfile profile = read_profile(profile_path);
   const SolveOptions solve = options.solve_options(document.convention);
-  SolutionMaker maker(profile, solve, options.joints);
+  SolutionMaker maker({profile_path, read_profile(profile_path)}, solve, options.joints, options.collision, options.model);
 
   Json solutions = Json::array();
-  for (std::size_t i = 0; i < document.actions.size(); ++i)
+  for (std::size_t i = 0; i < document.actions.size(); ++i) {
     solutions.push_back(maker.solve(document.action(i), options.actions + ": action " + std::to_string(i)));
+    document.actions[i] = maker.solved_values();
+  }
 
   Json result = new_document("uhas-solution");
-  result["hand"] = profile.hand;
+  result["hand"] = maker.file().profile.hand;
   result["joint_names"] = maker.joint_names();
   result["solutions"] = solutions;
-  if (!options.html.empty()) write_page(tool, options, document, {profile_path, profile}, solve);
+  if (!options.html.empty()) write_page(tool, options, document, maker.file(), solve);
   write_result(options.output, to_text(result));
+  tool.warn(maker.warnings());
   return ExitCode::done;
 }
 
@@ -122,7 +129,8 @@ ExitCode run(Tool& tool) {
   Options options;
   add_options(tool.options(), options);
   tool.parse();
-  if (options.html.empty() && !options.model.urdfs.empty()) throw Tool::wrong_usage("--urdf", "needs --html");
+  if (!options.model.urdfs.empty() && options.html.empty() && !options.collision.report && !options.collision.avoid)
+    throw Tool::wrong_usage("--urdf", "needs --collisions, --avoid or --html");
   return options.actions == "-" ? solve_stream(tool, options) : solve_file(tool, options);
 }
 

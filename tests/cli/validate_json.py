@@ -63,6 +63,7 @@ def tool_documents(bin_dir, folder):
         ("surface-hits", "uhas-project-surface", [HAND, "--json", "-o", points]),
         ("solution", "uhas-solve", [actions]),
         ("solution", "uhas-solve", [actions, "--closing", "hard", "--rule", "contact", "--field", "field", "--actuated-only"]),
+        ("solution", "uhas-solve", [actions, "--collisions", "--avoid", "--urdf", HAND]),
         ("trajectory", "uhas-retarget", ["--from", profile, "--to", profile, folder / "trajectory.json"]),
         ("retarget-summary", "uhas-retarget",
          ["--from", profile, "--to", profile, folder / "trajectory.json", "-o", folder / "out.jsonl", "--json"]),

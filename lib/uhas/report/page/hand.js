@@ -53,12 +53,9 @@ class Hand {
     return this.summary.fingers.filter((finger) => finger.slots.includes(slot));
   }
 
-  /// Why delta theta of a slot moves nothing, as a clause; null when it does move.
-  whyIgnored(slot) {
-    const fingers = this.fingersOfSlot(slot);
-    if (fingers.some((finger) => finger.lateral_joint !== null)) return null;
-    const names = fingers.map((finger) => finger.name).join(' and ');
-    return `${names} of ${this.name} has no lateral joint that turns it sideways`;
+  /// Whether delta theta of a slot turns a finger: one without a lateral joint ignores it.
+  turns(slot) {
+    return this.fingersOfSlot(slot).some((finger) => finger.lateral_joint !== null);
   }
 
   /// Delta theta (rad) of normalised values in [-1, 1]: 0 maps to 0, the ends to the slot's bounds.

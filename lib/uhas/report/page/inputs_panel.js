@@ -34,28 +34,39 @@ class InputsPanel {
   }
 
   #slotPanel(name, slot) {
-    const {hands, phi} = this.session;
-    const reasons = hands.map((hand) => hand.whyIgnored(slot)).filter(Boolean);
-    const notes = [...hands.map((hand) => this.#sharedNote(hand, slot)).filter(Boolean),
-      ...reasons.map((reason) => element('small', {}, `Δθ: ${reason}.`))];
-    const owners = hands.length === 1 ? hands[0].fingersOfSlot(slot).map((finger) => finger.name).join(', ') : '';
-    const range = hands.length === 1
-      ? hands[0].data.delta_theta_bounds[slot].map((bound) => `${signed(bound * kDegrees, 1)}°`) : ['−1', '+1'];
-    const lateral = (value) => (hands.length > 1 ? signed(value, 2)
-      : `${signed(hands[0].lateralFromNormalized(slot, value) * kDegrees, 1)}°`);
+    const {hands, phi} = this.session, single = hands.length === 1;
+    const still = hands.filter((hand) => !hand.turns(slot)), disabled = still.length === hands.length;
+    const bounds = single ? hands[0].data.delta_theta_bounds[slot].map((bound) => `${signed(bound * kDegrees, 1)}°`)
+      : ['\u22121', '+1'];
+    const owners = single ? hands[0].fingersOfSlot(slot).map((finger) => finger.name).join(', ') : '';
+    const lateral = (value) => (single ? `${signed(hands[0].lateralFromNormalized(slot, value) * kDegrees, 1)}°`
+      : signed(value, 2));
+    const remark = disabled ? 'no lateral joint: Δθ is ignored' : `Δθ ${bounds.join(' … ')}`;
+    const notes = hands.map((hand) => this.#sharedNote(hand, slot)).filter(Boolean);
+    if (still.length && !disabled) {
+      const names = still.map((hand) => hand.name).join(', ');
+      notes.push(element('small', {}, `no lateral joint, Δθ is ignored: ${names}`));
+    }
     return element('fieldset', {},
-      element('legend', {}, `${slot} ${name}`, owners && owners !== name ? element('span', {}, ` ${owners}`) : null),
-      this.#slider(`theta-${slot}`, 'Δθ', `Δθ of slot ${slot}, ${name}`, Session.lateral(slot), 1, lateral, range,
-        reasons.length === hands.length),
-      ...phi[slot].map((angle, j) => this.#slider(`r-${slot}-${j}`, `Δr ${fixed(angle * kDegrees, 0)}°`,
-        `Δr of slot ${slot}, ${name}, at ${fixed(angle * kDegrees, 0)}°`, this.session.radial(slot, j), kRadialBound,
-        (value) => signed(value, 2), ['−2', '+2'], false)),
+      element('legend', {}, `${slot} ${name}`, owners && owners !== name ? element('span', {}, ` ${owners}`) : null,
+        single || disabled ? element('small', {}, remark) : null),
+      this.#slider({id: `theta-${slot}`, label: 'Δθ', name: `Δθ of slot ${slot}, ${name}`, index: Session.lateral(slot),
+        bound: 1, text: lateral, bounds, disabled}),
+      ...phi[slot].map((angle, j) => {
+        const label = `${fixed(angle * kDegrees, 0)}°`;
+        return this.#slider({id: `r-${slot}-${j}`, label: `Δr ${label}`, name: `Δr of slot ${slot}, ${name}, at ${label}`,
+          index: this.session.radial(slot, j), bound: kRadialBound, text: (value) => signed(value, 2),
+          bounds: ['\u22122', '+2'], disabled: false});
+      }),
       ...notes);
   }
 
-  #slider(id, label, name, index, bound, text, [lowest, greatest], disabled) {
+  /// @param index  of the input that it sets
+  /// @param bound  of that input, on both sides
+  /// @param text   value -> words; `bounds` are those of the ends
+  #slider({id, label, name, index, bound, text, bounds, disabled}) {
     const input = element('input', {type: 'range', id, min: -kSliderSteps, max: kSliderSteps, step: 1, disabled,
-      'aria-label': name, title: `${lowest} … ${greatest}`, oninput: () => {
+      'aria-label': name, title: bounds.join(' … '), oninput: () => {
         this.session.stop();
         this.session.setInput(index, input.valueAsNumber / kSliderSteps * bound);
       }, ondblclick: () => this.session.setInput(index, 0)});
@@ -74,7 +85,8 @@ class InputsPanel {
       const mean = (index) => finger.slots.reduce((sum, s) => sum + action[index(s)], 0) / finger.slots.length;
       const means = Array.from({length: vectors}, (_, j) => mean((s) => this.session.radial(s, j)));
       const radial = means.map((value) => signed(value, 2)).join(', ');
-      note.textContent = `${hand.name}: ${finger.name} follows the mean of slots ${finger.slots.join(', ')}: ` +
+      const whose = this.session.hands.length === 1 ? '' : `${hand.name}: `;
+      note.textContent = `${whose}${finger.name} follows the mean of slots ${finger.slots.join(', ')}: ` +
         `Δθ ${signed(mean((s) => s) * kDegrees, 1)}°, Δr ${radial}`;
     });
     return note;
@@ -83,7 +95,7 @@ class InputsPanel {
   #update() {
     for (const {input, output, index, bound, text} of this.sliders) {
       const value = this.session.inputs[index];
-      input.value = Math.round(value / bound * kSliderSteps);
+      input.value = input.disabled ? 0 : Math.round(value / bound * kSliderSteps);
       output.textContent = input.disabled ? 'ignored' : text(value);
       input.setAttribute('aria-valuetext', output.textContent);
     }

@@ -17,7 +17,7 @@ function jointTable(session, hand) {
   const rows = hand.joints.map((joint, i) => {
     const followed = hand.joints[i - 1]?.finger === joint.finger;
     const kind = element('span', {class: 'swatch', style: `--swatch: ${kClassColours[joint.class ?? 'other']}`},
-      (joint.class ?? 'drives fingers') + (joint.mimic === null ? '' : `, follows ${joint.mimic}`));
+      joint.class ?? 'drives fingers');
     return [followed ? '' : joint.finger ?? 'none', joint.kind === 'prismatic' ? `${joint.name} (mm)` : joint.name, kind,
       number(joint, joint.lower), cells[i].gauge, number(joint, joint.upper),
       ...['q_open', 'q_sphere', 'q_closed'].map((pose) => number(joint, hand.poses[pose][i])),
@@ -27,7 +27,8 @@ function jointTable(session, hand) {
     const {q, atLimit, closed} = session.states[session.hands.indexOf(hand)];
     hand.joints.forEach((joint, i) => {
       cells[i].current.textContent = jointNumber(joint.kind, q[i]);
-      cells[i].state.textContent = [atLimit[i] && 'at limit', closed[i] && 'closed'].filter(Boolean).join(', ');
+      cells[i].state.textContent = [atLimit[i] && 'at limit', closed[i] && 'closed',
+        joint.mimic !== null && `follows ${joint.mimic}`].filter(Boolean).join(', ');
       if (joint.lower !== null) cells[i].gauge.style.setProperty('--now', `${sharePercent(joint, q[i])}%`);
     });
   });

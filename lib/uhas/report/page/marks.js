@@ -55,9 +55,9 @@ class Arrow extends THREE.Group {
   }
 }
 
-/// A word that faces the camera, in front of everything, with a halo in the colour of the paper; `height` in sphere
-/// radii.
-function labelSprite(text, color, paper, height = 0.15) {
+/// A word that faces the camera, in front of everything, with a halo in the colour of the paper. Its scale is set for each
+/// view, so that it is as large in all.
+function labelSprite(text, color, paper) {
   const size = 48, font = `600 ${size}px system-ui, sans-serif`;
   const canvas = document.createElement('canvas');
   const context = canvas.getContext('2d');
@@ -74,8 +74,7 @@ function labelSprite(text, color, paper, height = 0.15) {
   context.fillText(text, 6, canvas.height / 2);
   const texture = new THREE.CanvasTexture(canvas);
   texture.minFilter = THREE.LinearFilter;  // the canvas is no power of two wide
-  const sprite = new THREE.Sprite(new THREE.SpriteMaterial({map: texture, depthTest: false}));
-  sprite.scale.set(height * canvas.width / canvas.height, height, 1);
+  const sprite = new THREE.Sprite(new THREE.SpriteMaterial({map: texture, depthTest: false, sizeAttenuation: false}));
   sprite.renderOrder = 10;
   return sprite;
 }

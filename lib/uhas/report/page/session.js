@@ -3,9 +3,6 @@
 
 const kRadialBound = 2;  // of a displacement, sphere radii
 
-/// Poses that the hands can be shown in; `solved` answers the inputs, `timeline` is a solution of the document.
-const kPoses = ['q_open', 'q_sphere', 'q_closed', 'solved', 'timeline'];
-
 /// Polar angles of the driving vectors, [5][V] by slot, from V that all slots share or 5 V.
 function drivingVectorsOfSlots(phi) {
   const vectors = phi.length < kSlots.length ? 0 : phi.length / kSlots.length;
@@ -21,7 +18,7 @@ class Session {
     this.timeline = hands.length === 1 ? hands[0].data.timeline : null;
     this.solveOptions = {rule: 'correspondence', closing: 'fade', field: 'finger', passes: 1, ...this.timeline?.options,
       driving_vectors_phi: this.phi.flat()};
-    this.pose = 'solved';
+    this.pose = 'solved';  // answers the inputs; or q_open, q_sphere, q_closed; or timeline, a solution of the document
     this.frame = 0;  // of the timeline
     this.inputs = new Float64Array(kSlots.length * (1 + this.vectors));
     this.states = [];  // one a hand: {action, q, residualRms, atLimit, closed}

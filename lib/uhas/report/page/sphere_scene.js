@@ -18,7 +18,7 @@ class SphereScene {
     this.root = new THREE.Group();
     this.root.add(...Object.values(this.layers));
     this.deforming = [];  // {thetaPhi, place(positions)}: called with the deformed positions [3 n]
-    this.labels = [];     // {text, position: THREE.Vector3, layer}
+    this.labels = [];     // {text, position: THREE.Vector3, layer, pixels: height on the screen}
     this.#addUnitSphere();
     this.#addSurface();
     this.#addPoints();
@@ -83,7 +83,7 @@ class SphereScene {
 
       const arrows = phi.map(() => new Arrow(color, 0.006));
       arrows.forEach((arrow) => this.#show('planes', arrow, 0));
-      const label = {text: this.hand.fingersOfSlot(slot).map(({name}) => name).join(', '), height: 0.1,
+      const label = {text: this.hand.fingersOfSlot(slot).map(({name}) => name).join(', '), pixels: 16,
         position: new THREE.Vector3(), layer: 'planes'};
       const distance = slot % 2 ? 0.34 : 0.2;  // so that the names of neighbours stand side by side
       this.labels.push(label);
@@ -102,7 +102,7 @@ class SphereScene {
       const arrow = new Arrow(color, 0.012);
       arrow.point(from, to);
       this.#show(layer, arrow, 0);
-      this.labels.push({text, position: to.clone().multiplyScalar(1.08), layer, color});
+      this.labels.push({text, position: to.clone().multiplyScalar(1.08), layer, color, pixels: 24});
     };
     const origin = new THREE.Vector3();
     axis('axes', '#d3413c', origin, new THREE.Vector3(kAxisLength, 0, 0), 'x');
@@ -152,6 +152,15 @@ class SphereScene {
     this.labels.forEach(({sprite, position}) => sprite?.position.copy(position));
   }
 
+  /// Makes labels as large as they say.
+  /// @param pixel  height of one on the screen, at a distance of 1 from the camera
+  scaleLabels(pixel) {
+    for (const {sprite, pixels} of this.labels) {
+      const {width, height} = sprite.material.map.image;
+      sprite.scale.set(pixels * pixel * width / height, pixels * pixel, 1);
+    }
+  }
+
   setTheme({ink, paper}) {
     this.gridMaterial.color.set(ink);
     this.unitMaterial.color.set(ink);
@@ -160,7 +169,7 @@ class SphereScene {
         this.layers[label.layer].remove(label.sprite);
         disposeDeep(label.sprite);
       }
-      label.sprite = labelSprite(label.text, label.color ?? ink, paper, label.height);
+      label.sprite = labelSprite(label.text, label.color ?? ink, paper);
       label.sprite.position.copy(label.position);
       this.layers[label.layer].add(label.sprite);
     }

@@ -2,6 +2,7 @@
 'use strict';
 
 const kFieldOfView = 32;  // degrees, vertical
+const kFullHeight = 450;  // pixels of a view below which labels are smaller
 const kMostNamed = 4;     // joints named in a view; the table has them all
 
 /// Directions to look from, in the sphere frame, with the middle finger up.
@@ -126,18 +127,28 @@ class Viewer {
     this.camera.updateProjectionMatrix();
   }
 
+  /// Makes the drawing buffer as large as what it fills; a buffer is allocated anew only when that has changed.
+  #fitBuffer({width, height}) {
+    const size = [width, height, window.devicePixelRatio].join();
+    if (size === this.size) return;
+    this.size = size;
+    this.renderer.setPixelRatio(window.devicePixelRatio);
+    this.renderer.setSize(width, height, false);
+  }
+
   #draw() {
     const whole = this.cells.getBoundingClientRect();
     if (whole.width === 0 || whole.height === 0) return;
-    this.renderer.setPixelRatio(window.devicePixelRatio);
-    this.renderer.setSize(whole.width, whole.height, false);
+    this.#fitBuffer(whole);
     this.#fitAspect();
-    for (const {scene, cell} of this.views) {
+    for (const {scene, cell, sphere} of this.views) {
       const {left, bottom, width, height} = cell.getBoundingClientRect();
       const place = [left - whole.left, whole.bottom - bottom, width, height];
       this.renderer.setViewport(...place);
       this.renderer.setScissor(...place);
       kViewHeight.value = height * window.devicePixelRatio;
+      const pixel = 2 * Math.tan(kFieldOfView / 2 / kDegrees) / height;
+      sphere.scaleLabels(pixel * clamp(height / kFullHeight, 0.75, 1));
       this.headlight.position.copy(this.camera.position);
       this.headlight.target.position.copy(this.controls.target);
       scene.add(this.headlight, this.headlight.target);  // one light for all scenes: it moves to the one being drawn

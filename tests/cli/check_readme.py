@@ -44,9 +44,10 @@ def transcripts():
 
 
 def inline_commands():
-    """Commands in code spans."""
+    """Commands in code spans; one that names nothing but options, as `uhas-solve --avoid`, only speaks of them."""
     text = re.sub(r"^```.*?^```", "", README, flags=re.M | re.S)
-    return [span for span in re.findall(r"`([^`\n]+)`", text) if re.match(r"uhas-\S+ .|man -l|cmake ", span)]
+    spans = [span for span in re.findall(r"`([^`\n]+)`", text) if re.match(r"uhas-\S+ .|man -l|cmake ", span)]
+    return [span for span in spans if not re.fullmatch(r"uhas-\S+( --\S+)+", span)]
 
 
 def script_commands():

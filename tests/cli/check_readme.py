@@ -31,6 +31,9 @@ README = (ROOT / "README.md").read_text()
 RUN_BY_CI = {
     "examples/quickstart.sh": "examples/quickstart.sh",
     "tests/run.sh": "tests/run.sh",
+    "cmake --preset release": "examples/quickstart.sh",
+    "cmake --build --preset release": "examples/quickstart.sh",
+    "cpack --preset release": "cpack --preset release",
     "cmake --preset runtime-only": "build runtime-only",
     "cmake --build --preset runtime-only": "build runtime-only",
     "cmake --install build/runtime-only --prefix DIR": "tests/install/check_install.py build/runtime-only",

@@ -7,10 +7,10 @@
 #include "common/json_value.hpp"
 #include "common/model_input.hpp"
 #include "common/profile_check.hpp"
+#include "common/profile_input.hpp"
 #include "common/profile_summary.hpp"
 #include "common/table.hpp"
 #include "uhas/base/file_bytes.hpp"
-#include "uhas/profile_io/read_profile.hpp"
 #include "uhas/profile_io/reseal_profile.hpp"
 #include "uhas/report/correspondences_ply.hpp"
 #include "uhas/report/hand_glb.hpp"
@@ -100,17 +100,18 @@ ExitCode run(Tool& tool) {
   Options options;
   add_options(tool.options(), options);
   tool.parse();
+  options.model.load.untrusted = tool.untrusted();
 
   if (options.reseal) {
     reseal_profile(options.profile);
     tool.log("resealed " + options.profile);
   }
-  const HandProfile profile = read_profile(options.profile);
+  const HandProfile profile = read_profile(tool, options.profile);
   if (options.validate || !options.urdf.empty()) {
     std::vector<Check> checks;
     if (options.validate) checks = check_behaviour(profile);
     if (!options.urdf.empty())
-      std::ranges::copy(check_sources(profile, load_model_of(profile, options.profile, options.urdf, options.model.packages)),
+      std::ranges::copy(check_sources(profile, load_model_of(profile, options.profile, options.urdf, options.model.load)),
                         std::back_inserter(checks));
     return report(tool, options, profile, checks);
   }

@@ -5,9 +5,9 @@
 #include "common/actions.hpp"
 #include "common/json_lines.hpp"
 #include "common/output.hpp"
+#include "common/profile_input.hpp"
 #include "common/solution.hpp"
 #include "common/tool.hpp"
-#include "uhas/profile_io/read_profile.hpp"
 
 using namespace uhas;
 using namespace uhas::tools;
@@ -66,7 +66,7 @@ void add_options(CLI::App& app, Options& options) {
 ExitCode solve_stream(const Tool& tool, const Options& options) {
   if (options.profile.empty()) throw Tool::wrong_usage("--profile", "needed when actions come from standard input");
   if (!options.output.empty()) throw Tool::wrong_usage("--output", "a stream of solutions goes to standard output");
-  const HandProfile profile = read_profile(options.profile);
+  const HandProfile profile = read_profile(tool, options.profile);
   SolutionMaker maker(profile, options.solve_options(kUhas), options.joints);
   const std::size_t failed = answer_json_lines(std::cin, std::cout, [&](const std::string& line) {
     const std::vector<double> values = parse_action(line);
@@ -78,12 +78,12 @@ ExitCode solve_stream(const Tool& tool, const Options& options) {
   return ExitCode::run_failed;
 }
 
-ExitCode solve_file(const Options& options) {
+ExitCode solve_file(const Tool& tool, const Options& options) {
   const ActionsDocument document = read_actions(options.actions);
   const std::string profile_path = options.profile.empty() ? document.profile : options.profile;
   if (profile_path.empty())
     throw Tool::wrong_usage("--profile", "needed because " + options.actions + " does not name a hand profile");
-  const HandProfile profile = read_profile(profile_path);
+  const HandProfile profile = read_profile(tool, profile_path);
   SolutionMaker maker(profile, options.solve_options(document.convention), options.joints);
 
   Json solutions = Json::array();
@@ -102,7 +102,7 @@ ExitCode run(Tool& tool) {
   Options options;
   add_options(tool.options(), options);
   tool.parse();
-  return options.actions == "-" ? solve_stream(tool, options) : solve_file(options);
+  return options.actions == "-" ? solve_stream(tool, options) : solve_file(tool, options);
 }
 
 }  // namespace

@@ -123,5 +123,7 @@ struct Column {
   template <class Row>
   using Value = std::remove_cvref_t<std::invoke_result_t<Projection, Row&>>;
 };
+template <class Projection>
+Column(const char*, const char*, Projection) -> Column<Projection>;  // clang before 17 does not deduce aggregates
 
 }  // namespace uhas::detail

@@ -117,6 +117,15 @@ CASES = [
     ("no hand", BUILD, {"hand.urdf": urdf(joint())},
      'hand.urdf: only one finger was found; a hand needs two or more chains of movable joints on one palm; name the '
      'palm with "palm_link" in a hand config'),
+    ("fingers without length", BUILD,
+     {"hand.urdf": urdf(*(joint(f"joint{i}", "palm", f"link{i}") for i in range(3)), links=["palm", "link0", "link1", "link2"])},
+     "hand.urdf: the finger of joint 'joint0' has no length: its tip lies on its joints; give its last link geometry, or name "
+     'the joints of each finger by "fingers" in a hand config'),
+    ("a hundred fingers", BUILD,
+     {"hand.urdf": urdf(*(joint(f"joint{i}", "palm", f"link{i}") for i in range(100)),
+                        links=["palm", *(f"link{i}" for i in range(100))])},
+     "hand.urdf: 100 chains of movable joints hang on one palm, too many for fingers; name the joints of each finger by "
+     '"fingers" in a hand config'),
     # meshes
     ("a missing mesh", BUILD, {"hand.urdf": urdf_with_mesh("palm.stl")}, "palm.stl: the file does not exist; check the path"),
     ("a mesh on the network", BUILD, {"hand.urdf": urdf_with_mesh("https://example.org/palm.stl")},

@@ -7,15 +7,24 @@ uhas_build_packages=(
   libassimp-dev libembree-dev nlohmann-json3-dev         # meshes, rays, hand configs
   libeigen3-dev                                          # axes of a palm's surface
   libmeshoptimizer-dev                                   # meshes for pictures
+  libfcl-dev                                             # self-collision
+  clang-14 lld-14 wasi-libc libc++-14-dev-wasm32         # the runtime in web pages
+  libc++abi-14-dev-wasm32 libclang-rt-14-dev-wasm32
+  libjs-three                                            # drawings in web pages
   libcli11-dev                                           # tools
 )
 
 uhas_test_packages=(
   doctest-dev mandoc pkg-config
+  zsh fish                                               # run the completions
+  dpkg-dev doxygen                                       # Debian packages, API reference
   liborocos-kdl-dev                                      # independent kinematics
   libnlopt-cxx-dev libnlopt-dev                          # independent optimiser
   python3 python3-numpy python3-h5py python3-jsonschema  # second reader of the profile, schema validator
+  nodejs chromium                                        # reports in a browser
 )
+# Debian's npm conflicts with packages of nodejs that bring an npm of their own.
+command -v npm > /dev/null || uhas_test_packages+=(npm)
 
 # install_missing PACKAGE...: installs those that are not there and asks nothing; does not touch the network when all are.
 install_missing() {

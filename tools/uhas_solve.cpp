@@ -6,8 +6,10 @@
 #include "common/json_lines.hpp"
 #include "common/output.hpp"
 #include "common/profile_input.hpp"
+#include "common/report_page.hpp"
 #include "common/solution.hpp"
 #include "common/tool.hpp"
+#include "uhas/base/file_bytes.hpp"
 
 using namespace uhas;
 using namespace uhas::tools;
@@ -15,12 +17,14 @@ using namespace uhas::tools;
 namespace {
 
 struct Options {
-  std::string actions, profile, output;
+  std::string actions, profile, output, html;
+  ModelInput model;
   std::optional<SolveOptions> convention;
   std::optional<Rule> rule;
   std::optional<Closing> closing;
   SolveOptions solve;  // field and passes
   JointSelection joints;
+  CollisionUse collision;
 
   /// With the rule and the closing that were asked for, else those of the convention: the option's, else the file's.
   SolveOptions solve_options(const SolveOptions& convention_of_file) const {
@@ -61,40 +65,63 @@ void add_options(CLI::App& app, Options& options) {
       ->allow_extra_args(false)
       ->option_text("A,B,C");
   app.add_flag("--actuated-only", options.joints.actuated_only, "Leave out joints that follow another one");
+  app.add_flag("--collisions", options.collision.report,
+               "State with each solution which links come nearest to each other, and how near");
+  app.add_flag("--avoid", options.collision.avoid, "Scale back actions whose solution has the hand collide with itself");
+  app.add_option("--html", options.html, "Draw also the solutions, played on the hand, as a page for any browser, offline")->type_name("hand.html");
+  add_model_options(app, options.model);
 }
 
 ExitCode solve_stream(const Tool& tool, const Options& options) {
   if (options.profile.empty()) throw Tool::wrong_usage("--profile", "needed when actions come from standard input");
   if (!options.output.empty()) throw Tool::wrong_usage("--output", "a stream of solutions goes to standard output");
-  const HandProfile profile = read_profile(tool, options.profile);
-  SolutionMaker maker(profile, options.solve_options(kUhas), options.joints);
+  if (!options.html.empty()) throw Tool::wrong_usage("--html", "needs a file of actions");
+  SolutionMaker maker({options.profile, read_profile(tool, options.profile)}, options.solve_options(kUhas), options.joints,
+                      options.collision, options.model);
   const std::size_t failed = answer_json_lines(std::cin, std::cout, [&](const std::string& line) {
     const std::vector<double> values = parse_action(line);
     return maker.solve({.values = values}, "");
   });
+  tool.warn(maker.warnings());
   if (failed == 0) return ExitCode::done;
   tool.report_error("standard input: " + std::to_string(failed) +
                     " of the lines could not be solved; see \"error\" in the output");
   return ExitCode::run_failed;
 }
 
+/// The page of a file of actions. Its sliders know one convention.
+void write_page(const Tool& tool, const Options& options, const ActionsDocument& document, const ProfileFile& file,
+                const SolveOptions& solve) {
+  if (solve.convention != ActionConvention{})
+    throw Tool::wrong_usage("--html", "shows actions of uhas' own convention only");
+  std::vector<ReportHand> hands = report_hands({&file, 1}, find_geometries(tool, {&file, 1}, options.model));
+  hands.front().timeline = {document.actions, document.driving_vectors_phi, document.normalized, solve};
+  const std::string page = report_page(hands);
+  replace_file(options.html, std::as_bytes(std::span(page)));
+  tool.log("wrote " + options.html);
+}
+
 ExitCode solve_file(const Tool& tool, const Options& options) {
-  const ActionsDocument document = read_actions(options.actions);
+  ActionsDocument document = read_actions(options.actions);
   const std::string profile_path = options.profile.empty() ? document.profile : options.profile;
   if (profile_path.empty())
     throw Tool::wrong_usage("--profile", "needed because " + options.actions + " does not name a hand profile");
-  const HandProfile profile = read_profile(tool, profile_path);
-  SolutionMaker maker(profile, options.solve_options(document.convention), options.joints);
+  const SolveOptions solve = options.solve_options(document.convention);
+  SolutionMaker maker({profile_path, read_profile(tool, profile_path)}, solve, options.joints, options.collision, options.model);
 
   Json solutions = Json::array();
-  for (std::size_t i = 0; i < document.actions.size(); ++i)
+  for (std::size_t i = 0; i < document.actions.size(); ++i) {
     solutions.push_back(maker.solve(document.action(i), options.actions + ": action " + std::to_string(i)));
+    document.actions[i] = maker.solved_values();
+  }
 
   Json result = new_document("uhas-solution");
-  result["hand"] = profile.hand;
+  result["hand"] = maker.file().profile.hand;
   result["joint_names"] = maker.joint_names();
   result["solutions"] = solutions;
+  if (!options.html.empty()) write_page(tool, options, document, maker.file(), solve);
   write_result(options.output, to_text(result));
+  tool.warn(maker.warnings());
   return ExitCode::done;
 }
 
@@ -102,6 +129,9 @@ ExitCode run(Tool& tool) {
   Options options;
   add_options(tool.options(), options);
   tool.parse();
+  options.model.load.untrusted = tool.untrusted();
+  if (!options.model.urdfs.empty() && options.html.empty() && !options.collision.report && !options.collision.avoid)
+    throw Tool::wrong_usage("--urdf", "needs --collisions, --avoid or --html");
   return options.actions == "-" ? solve_stream(tool, options) : solve_file(tool, options);
 }
 

@@ -3,6 +3,7 @@
 import argparse
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -16,6 +17,7 @@ ACTIONS = {
     "format": "uhas-actions", "version": 1, "profile": "hand.h5", "driving_vectors_phi": [1.0, 2.0], "normalized": False,
     "actions": [[0.0] * 15, [0.0] * 5 + [-2.0] * 10, {"lateral": [0.1] * 5, "radial": [[0.2, -0.2]] * 5}],
 }
+REPORT = re.compile(r'<script type="application/json" id="uhas-report">(.*?)</script>')
 WRONG_ACTIONS = [
     {"format": "uhas-actions", "version": 1, "actions": [[0.0] * 14]},
     {"format": "uhas-actions", "version": 1, "actions": [["0"] * 15]},
@@ -52,6 +54,7 @@ def tool_documents(bin_dir, folder):
     commands = [
         ("profile-summary", "uhas-build-profile", [HAND, "-o", profile, "--json"]),
         ("profile-summary", "uhas-inspect", [profile, "--json"]),
+        ("command-line", "uhas-inspect", ["--describe", "json"]),
         ("hand-explanation", "uhas-explain-hand", [HAND, "--json", "--write-config", config]),
         ("profile-check", "uhas-inspect", [profile, "--validate", "--check", HAND, "--json"]),
         ("sphere-frame", "uhas-sphere-frame", [HAND, "--json"]),
@@ -60,6 +63,7 @@ def tool_documents(bin_dir, folder):
         ("surface-hits", "uhas-project-surface", [HAND, "--json", "-o", points]),
         ("solution", "uhas-solve", [actions]),
         ("solution", "uhas-solve", [actions, "--closing", "hard", "--rule", "contact", "--field", "field", "--actuated-only"]),
+        ("solution", "uhas-solve", [actions, "--collisions", "--avoid", "--urdf", HAND]),
         ("trajectory", "uhas-retarget", ["--from", profile, "--to", profile, folder / "trajectory.json"]),
         ("retarget-summary", "uhas-retarget",
          ["--from", profile, "--to", profile, folder / "trajectory.json", "-o", folder / "out.jsonl", "--json"]),
@@ -75,6 +79,13 @@ def tool_documents(bin_dir, folder):
     yield "surface-points", "uhas-project-surface -o", parse(points.read_text())
     yield "hand-config", "uhas-explain-hand --write-config", parse(config.read_text())
 
+    pages = [("uhas-inspect --html", "uhas-inspect", [profile, profile]), ("uhas-solve --html", "uhas-solve", [actions])]
+    for label, tool, arguments in pages:
+        run(tool, *arguments, "--html", folder / "page.html", "--urdf", HAND)
+        report = parse(REPORT.search((folder / "page.html").read_text())[1])
+        yield "report", label, report
+        yield "profile-summary", f"{label}: summary", report["hands"][0]["summary"]
+
     header, *frames, summary = [parse(line) for line in (folder / "out.jsonl").read_text().splitlines()]
     yield "trajectory", "uhas-retarget -o (lines)", header | summary | {"q": [frame["q"] for frame in frames]}
 
@@ -85,10 +96,9 @@ def tool_documents(bin_dir, folder):
 
 
 def repository_documents():
-    for path in sorted([*ROOT.glob("examples/*.json"), *ROOT.glob("hands/configs/*.json")]):
+    for path in sorted([*ROOT.glob("examples/*.json"), *ROOT.glob("schemas/*.datasets.json")]):
         document = parse(path.read_text())
-        format_name = document.get("format", "uhas-hand-config" if path.parent.name == "configs" else "")
-        yield format_name.removeprefix("uhas-"), str(path.relative_to(ROOT)), document
+        yield document["format"].removeprefix("uhas-"), str(path.relative_to(ROOT)), document
 
 
 def main():

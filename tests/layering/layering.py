@@ -27,7 +27,8 @@ ROOMS = {
     "profile_builder": ["base", "profile", "runtime", "model", "anatomy", "sphere_frame", "classification", "wrap",
                         "lateral_tables", "correspondences"],
     "geometry": ["base", "profile", "model"],
-    "report": ["base", "profile", "runtime", "model", "geometry"],
+    "collision": ["base", "profile", "runtime", "model", "geometry"],
+    "report": ["base", "profile", "profile_io", "runtime", "model", "geometry"],
 }
 
 # The rooms that may include a library; every other library but C++'s and the system's own is for nobody in lib.
@@ -39,10 +40,11 @@ LIBRARIES = {
     "tinyxml": ["model"],
     "console_bridge": ["model"],
     "assimp": ["model", "report"],
-    "nlohmann": ["model", "anatomy", "profile_builder"],
+    "nlohmann": ["model", "anatomy", "profile_builder", "report"],
     "embree3": ["correspondences"],
     "embree4": ["correspondences"],
     "meshoptimizer": ["geometry"],
+    "fcl": ["collision"],
 }
 
 # What users of the runtime see: its public headers include C++'s own and each other, no library.
@@ -147,6 +149,9 @@ PLANTED = [
     ("lib/uhas/anatomy/anatomy.cpp", "<uhas/anatomy/anatomy.hpp>", True),
     ("lib/uhas/anatomy/anatomy.cpp", "<assimp/scene.h>", True),
     ("lib/uhas/anatomy/anatomy.cpp", "<boost/optional.hpp>", True),
+    ("lib/uhas/collision/link_surface_detail.hpp", "<fcl/geometry/bvh/BVH_model.h>", False),
+    ("lib/uhas/collision/self_collision.cpp", '"uhas/report/hand_glb.hpp"', True),
+    ("lib/uhas/geometry/hand_geometry.cpp", "<fcl/narrowphase/distance.h>", True),
     ("lib/uhas/wrap/wrap.cpp", '"uhas/lateral_tables/lateral_tables.hpp"', True),
     ("lib/uhas/correspondences/ray_caster_detail.cpp", "<embree4/rtcore.h>", False),
     ("lib/uhas/correspondences/correspondences.cpp", '"uhas/wrap/wrap.hpp"', True),

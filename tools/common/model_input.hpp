@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/tool.hpp"
+#include "uhas/geometry/hand_geometry.hpp"
 #include "uhas/model/hand_model.hpp"
 
 namespace uhas::tools {
@@ -40,5 +41,8 @@ HandModel load_model_of(const HandProfile& profile, const std::string& profile_p
 /// profile or in the current folder, else none. Throws Error: invalid_model for a URDF of --urdf that no profile was built from, or
 /// when meshes have changed; what load_hand_model throws.
 std::vector<std::optional<ModelFile>> find_models(std::span<const ProfileFile> profiles, const ModelInput& input);
+
+/// The meshes of these models; empty ones, and a warning, where there is none. Throws as `find_models` and `hand_geometry`.
+std::vector<HandGeometry> find_geometries(const Tool& tool, std::span<const ProfileFile> profiles, const ModelInput& input);
 
 }  // namespace uhas::tools

@@ -124,6 +124,6 @@ struct Column {
   using Value = std::remove_cvref_t<std::invoke_result_t<Projection, Row&>>;
 };
 template <class Projection>
-Column(const char*, const char*, Projection) -> Column<Projection>;  // clang before 17 does not deduce aggregates
+Column(const char*, const char*, Projection) -> Column<Projection>;  // which Clang 14 does not find by itself
 
 }  // namespace uhas::detail

@@ -12,6 +12,9 @@
 
 namespace uhas {
 
+/// Radial bounds are at most so far from 0: squares of what follows from them stay finite in float.
+inline constexpr double kMostRadialBound = 1e6;
+
 /// The numbers of an action that has passed `ActionDecoder::check`, one action a lane.
 template <class Num>
 struct ActionNumbers {
@@ -81,7 +84,9 @@ class ActionDecoder {
     if (bounds.empty()) return Status::ok;
     if (bounds.size() != 2) return Status::wrong_size;
     if (!std::isfinite(bounds[0]) || !std::isfinite(bounds[1])) return Status::non_finite_input;
-    return bounds[0] <= Real(0) && bounds[1] >= Real(0) ? Status::ok : Status::invalid_radial_bounds;
+    constexpr Real most(kMostRadialBound);
+    const bool sound = bounds[0] >= -most && bounds[0] <= Real(0) && bounds[1] >= Real(0) && bounds[1] <= most;
+    return sound ? Status::ok : Status::invalid_radial_bounds;
   }
 
   /// The same for driving angles alone.
@@ -93,6 +98,17 @@ class ActionDecoder {
       if (!(phi[i] > before) || !(phi[i] < std::numbers::pi_v<Real>)) return Status::invalid_driving_vectors;
     }
     return Status::ok;
+  }
+
+  /// The numbers of an action that has passed `check`.
+  static ActionNumbers<Real> numbers_of(const Action<Real>& action) noexcept {
+    return {.values = action.values.data(),
+            .phi = action.driving_vectors_phi.data(),
+            .vectors = vectors_of(action.values.size()),
+            .angles = static_cast<int>(action.driving_vectors_phi.size()),
+            .normalized = action.normalized,
+            .azimuth_offsets = data_or_null(action.azimuth_offsets),
+            .radial_bounds = data_or_null(action.radial_bounds)};
   }
 
   /// One deformation a finger. `planes`: [finger].

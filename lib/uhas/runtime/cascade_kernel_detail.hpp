@@ -19,7 +19,7 @@ JointValue<Num> choose(MaskOf<Num> mask, const JointValue<Num>& a, const JointVa
 
 template <class Num, class Wide>
 Cascade<Num, Wide>::Cascade(const Model& model)
-    : planes(model.tip_joint.size()), group_planes_(model.plane_groups.size()), joints_(model.joints.size()) {}
+    : planes(model.tip_joint.size()), group_planes_(model.plane_groups.fingers.size()), joints_(model.joints.size()) {}
 
 template <class Num, class Wide>
 void Cascade<Num, Wide>::run(const Model& model) noexcept {
@@ -43,21 +43,8 @@ const PlaneDeformation<Num>& Cascade<Num, Wide>::plane_of(const Model& model, in
 
 template <class Num, class Wide>
 void Cascade<Num, Wide>::average_planes(const Model& model) noexcept {
-  for (std::size_t g = 0; g < group_planes_.size(); ++g) {
-    PlaneDeformation<Num>& mean = group_planes_[g];
-    mean.vectors = planes.front().vectors;
-    mean.delta_theta = Num(0);
-    for (int j = 0; j < mean.vectors; ++j) mean.phi[j] = mean.delta_r[j] = Num(0);
-    const Num share(Real(1) / Real(model.plane_groups[g].size()));
-    for (int finger : model.plane_groups[g]) {
-      mean.delta_theta += share * planes[finger].delta_theta;
-      for (int j = 0; j < mean.vectors; ++j) {
-        mean.phi[j] += share * planes[finger].phi[j];
-        mean.delta_r[j] += share * planes[finger].delta_r[j];
-      }
-    }
-    mean.find_slopes(model.options.convention.held_toward_pole);
-  }
+  for (std::size_t g = 0; g < group_planes_.size(); ++g)
+    group_planes_[g] = mean_plane(planes, model.plane_groups.fingers[g], model.options.convention.held_toward_pole);
 }
 
 template <class Num, class Wide>
@@ -101,17 +88,18 @@ void Cascade<Num, Wide>::begin_joints(const Model& model, const SolverPart& part
 template <class Num, class Wide>
 typename Cascade<Num, Wide>::Target Cascade<Num, Wide>::target_of(const Model& model,
                                                                   const SolverPoint<Real>& point) const noexcept {
-  const bool field = model.options.field == FieldReading::field;
-  const PlaneDeformation<Num>& before = field ? group_planes_[point.plane_before] : planes[point.finger];
-  const PlaneDeformation<Num>& after = field ? group_planes_[point.plane_after] : before;
-  const auto between = [&](Num a, Num b) { return field ? a + point.blend * (b - a) : a; };
-  const Num past_first = max(point.phi, between(before.phi[0], after.phi[0]));
-  const typename RadialProfile<Num>::At radial{between(before.at(point.phi).delta_r, after.at(point.phi).delta_r),
-                                               between(before.at(past_first).delta_r, after.at(past_first).delta_r)};
-  const SinCos<Num> turn = sincos(model.azimuth_sign * between(before.delta_theta, after.delta_theta));
-  const Vector3<Num> t = max(point.rho + radial.delta_r, Num(0)) * point.direction;
+  Displacement<Num> moved;
+  if (model.options.field == FieldReading::finger) {
+    const PlaneDeformation<Num>& plane = planes[point.finger];
+    moved = {plane.delta_theta, plane.at(point.phi)};
+  } else {
+    moved = displacement_between(group_planes_[point.plane_before], group_planes_[point.plane_after], Num(point.blend),
+                                 Num(point.phi));
+  }
+  const SinCos<Num> turn = sincos(model.azimuth_sign * moved.delta_theta);
+  const Vector3<Num> t = max(point.rho + moved.radial.delta_r, Num(0)) * point.direction;
   return {{turn.cosine * t.x - turn.sine * t.y, turn.sine * t.x + turn.cosine * t.y, t.z},
-          open_share<Num>(radial, model.options.closing)};
+          open_share<Num>(moved.radial, model.options.closing)};
 }
 
 // the moments of every joint's own points, one by one, in the interpolated field

@@ -50,14 +50,7 @@ Status CascadeSolver<Real>::solve(const Action<Real>& action, std::span<Real> q)
   if (q.size() != model_->joints.size()) return Status::wrong_size;
   if (const Status status = model_->decoder.check(action); status != Status::ok) return status;
   Scratch& cascade = *scratch_;
-  const ActionNumbers<Real> numbers{.values = action.values.data(),
-                                    .phi = action.driving_vectors_phi.data(),
-                                    .vectors = model_->decoder.vectors_of(action.values.size()),
-                                    .angles = static_cast<int>(action.driving_vectors_phi.size()),
-                                    .normalized = action.normalized,
-                                    .azimuth_offsets = data_or_null(action.azimuth_offsets),
-                                    .radial_bounds = data_or_null(action.radial_bounds)};
-  model_->decoder.decode(numbers, cascade.planes.data());
+  model_->decoder.decode(model_->decoder.numbers_of(action), cascade.planes.data());
   cascade.run(*model_);
   for (std::size_t i = 0; i < q.size(); ++i) q[i] = cascade.q(static_cast<int>(i)) * model_->joints[i].unit;
   return Status::ok;

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "uhas/base/spherical.hpp"
+#include "uhas/runtime/action_decoder_detail.hpp"
 #include "uhas/runtime/axis_frame_detail.hpp"
 
 namespace uhas {
@@ -70,57 +71,6 @@ SolverJoint<Real> compile_joint(const HandProfile& profile, const SolveOptions& 
     compiled.offset = static_cast<Real>(joint.mimic_offset / unit);
   }
   return compiled;
-}
-
-/// Fingers by azimuth of their planes; neighbours closer than 5 degrees share one plane (design 3.7).
-std::vector<std::vector<int>> group_planes(const HandProfile& profile) {
-  constexpr double same_plane = 5 * kPi / 180;
-  std::vector<int> order(profile.fingers.size());
-  std::iota(order.begin(), order.end(), 0);
-  const auto theta = [&](int f) { return profile.fingers[f].theta_initial; };
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return theta(a) < theta(b); });
-
-  std::vector<std::vector<int>> groups;
-  for (int f : order) {
-    if (!groups.empty() && theta(f) - theta(groups.back().back()) < same_plane)
-      groups.back().push_back(f);
-    else
-      groups.push_back({f});
-  }
-  if (groups.size() > 1 && theta(groups.front().front()) + 2 * kPi - theta(groups.back().back()) < same_plane) {
-    groups.front().insert(groups.front().end(), groups.back().begin(), groups.back().end());
-    groups.pop_back();
-  }
-  return groups;
-}
-
-/// Mean azimuth of each group, on the circle.
-std::vector<double> group_azimuths(const HandProfile& profile, const std::vector<std::vector<int>>& groups) {
-  std::vector<double> azimuths;
-  for (const std::vector<int>& group : groups) {
-    double c = 0, s = 0;
-    for (int f : group) c += std::cos(profile.fingers[f].theta_initial), s += std::sin(profile.fingers[f].theta_initial);
-    azimuths.push_back(std::atan2(s, c));
-  }
-  return azimuths;
-}
-
-/// Where `theta` lies between the planes: the group before it, the group after it, and the share of the way.
-template <class Real>
-void locate_between_planes(double theta, const std::vector<double>& azimuths, SolverPoint<Real>& point) {
-  const auto way = [](double from, double to) {
-    const double angle = std::fmod(to - from, 2 * kPi);
-    return angle < 0 ? angle + 2 * kPi : angle;
-  };
-  int before = 0, after = 0;
-  for (int g = 0; g < static_cast<int>(azimuths.size()); ++g) {
-    if (way(azimuths[g], theta) < way(azimuths[before], theta)) before = g;
-    if (way(theta, azimuths[g]) < way(theta, azimuths[after])) after = g;
-  }
-  const double gap = way(azimuths[before], theta) + way(theta, azimuths[after]);
-  point.plane_before = before;
-  point.plane_after = after;
-  point.blend = gap > 0 ? static_cast<Real>(way(azimuths[before], theta) / gap) : Real(0);
 }
 
 /// The joints of `step.driven` and all further out, in tree order.
@@ -280,7 +230,10 @@ std::vector<SolverPart> gather_parts(const HandProfile& profile, const SolverMod
 
 template <class Real>
 SolverModel<Real>::SolverModel(const HandProfile& profile, const SolveOptions& solve_options)
-    : options(solve_options), decoder(profile, solve_options.convention), azimuth_sign(profile.mirrored ? Real(-1) : Real(1)) {
+    : options(solve_options),
+      decoder(profile, solve_options.convention),
+      azimuth_sign(profile.mirrored ? Real(-1) : Real(1)),
+      plane_groups(group_planes(profile)) {
   const int joint_count = static_cast<int>(profile.tree.joints.size());
   const int finger_count = static_cast<int>(profile.fingers.size());
   for (int i = 0; i < joint_count; ++i) {
@@ -327,11 +280,9 @@ SolverModel<Real>::SolverModel(const HandProfile& profile, const SolveOptions& s
     joint.T_parent_start = joint.moved(joint.T_parent_joint, joint.start);
   }
 
-  plane_groups = group_planes(profile);
   group_of_finger.resize(finger_count);
-  for (int g = 0; g < static_cast<int>(plane_groups.size()); ++g)
-    for (int f : plane_groups[g]) group_of_finger[f] = g;
-  const std::vector<double> azimuths = group_azimuths(profile, plane_groups);
+  for (int g = 0; g < static_cast<int>(plane_groups.fingers.size()); ++g)
+    for (int f : plane_groups.fingers[g]) group_of_finger[f] = g;
   for (const Correspondence& c : profile.correspondences) {
     const ProfileLink& link = profile.links[c.link];
     SolverPoint<Real> point;
@@ -345,7 +296,10 @@ SolverModel<Real>::SolverModel(const HandProfile& profile, const SolveOptions& s
     point.rho = static_cast<Real>(c.rho);
     point.phi = static_cast<Real>(c.phi);
     point.weight = static_cast<Real>(c.weight);
-    locate_between_planes(c.theta, azimuths, point);
+    const BetweenPlanes place = locate_between_planes(c.theta, plane_groups.azimuths);
+    point.plane_before = place.before;
+    point.plane_after = place.after;
+    point.blend = static_cast<Real>(place.blend);
     points.push_back(point);
   }
   patches = gather_patches(points);
@@ -363,7 +317,8 @@ std::shared_ptr<const SolverModel<Real>> compile_solver_model(const HandProfile&
     throw Error(ErrorCode::invalid_action, "", "passes is " + std::to_string(options.passes), "choose a number from 1 to 100");
   const ActionConvention& convention = options.convention;
   const auto bounded = [](double low, double x, double high) { return x >= low && x <= high; };
-  if (std::abs(convention.azimuth_sign) != 1 || !bounded(-1e6, convention.radial_lower, 0) || !bounded(0, convention.radial_upper, 1e6))
+  if (std::abs(convention.azimuth_sign) != 1 || !bounded(-kMostRadialBound, convention.radial_lower, 0) ||
+      !bounded(0, convention.radial_upper, kMostRadialBound))
     throw Error(ErrorCode::invalid_action, "", "the action convention has an azimuth sign or radial bounds out of range",
                 "choose a sign of 1 or -1 and bounds lower <= 0 <= upper");
   validate_profile(profile, "");

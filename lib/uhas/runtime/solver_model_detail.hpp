@@ -13,6 +13,7 @@
 #include "uhas/runtime/contact.hpp"
 #include "uhas/runtime/lane_math_detail.hpp"
 #include "uhas/runtime/moments_detail.hpp"
+#include "uhas/runtime/plane_groups_detail.hpp"
 
 namespace uhas {
 
@@ -143,7 +144,7 @@ struct SolverModel {
   std::vector<int> step_at;                    ///< [joint] the step solved when the sweep reaches the joint; -1 = none
   std::vector<int> tip_joint;                  ///< [finger]
   std::vector<Vector3<Real>> p_tip;            ///< [finger] in the tip joint's moved frame
-  std::vector<std::vector<int>> plane_groups;  ///< fingers whose planes stand closer than 5 degrees, by azimuth
+  PlaneGroups plane_groups;
   std::vector<int> group_of_finger;            ///< [finger] index into `plane_groups`
 };
 

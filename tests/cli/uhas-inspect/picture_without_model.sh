@@ -1,1 +1,2 @@
+# stderr: a warning
 uhas-inspect profile/allegro_right.h5 --gltf hand.glb

@@ -16,6 +16,7 @@
 #include "uhas/profile_io/write_profile.hpp"
 #include "uhas/runtime/batch_solver.hpp"
 #include "uhas/runtime/cascade_solver.hpp"
+#include "uhas/runtime/deformation_field.hpp"
 #include "uhas/runtime/fingertip_kinematics.hpp"
 #include "uhas/runtime/observation.hpp"
 #include "uhas/runtime/retarget.hpp"
@@ -84,6 +85,23 @@ TEST_CASE("10,000 solves allocate nothing") {
       CHECK(refused == 50);
     }
   }
+}
+
+TEST_CASE("10,000 deformed spheres allocate nothing") {
+  DeformationField field(test::small_profile());
+  std::mt19937_64 random(6);
+  std::vector<double> action = test::random_action(random, 1, 3);
+  std::vector<Spherical<double>> points(10, {1, 1, 1});
+  int refused = 0;
+  allocations = 0;
+  counting = true;
+  for (int n = 0; n < 10'000; ++n) {
+    action[3] = n % 5 == 4 ? std::numeric_limits<double>::infinity() : 0.1;
+    refused += field.deform({.values = action}, points) != Status::ok;
+  }
+  counting = false;
+  CHECK(allocations == 0);
+  CHECK(refused == 2000);
 }
 
 TEST_CASE("10,000 batches allocate nothing on any thread") {

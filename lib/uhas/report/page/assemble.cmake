@@ -1,0 +1,18 @@
+# cmake -D PAGE=page.html -D "FOLDERS=folder;..." -D OUTPUT=file -P assemble.cmake
+# Puts the scripts and style sheets that the page names, found in the folders, in their places: one file.
+file(READ ${PAGE} page)
+string(REGEX MATCHALL "<script src=\"[^\"]+\"></script>|<link rel=\"stylesheet\" href=\"[^\"]+\">" references "${page}")
+foreach(reference ${references})
+  string(REGEX MATCH "[^\"]+\\.(js|css)" name "${reference}")
+  find_file(file ${name} PATHS ${FOLDERS} NO_DEFAULT_PATH NO_CACHE REQUIRED)
+  file(READ ${file} content)
+  unset(file)
+  if(name MATCHES "css$")
+    string(REPLACE "${reference}" "<style>\n${content}</style>" page "${page}")
+  elseif(content MATCHES "</script|<!--")
+    message(FATAL_ERROR "${name} cannot stand in a page: it has </script or <!-- in it")
+  else()
+    string(REPLACE "${reference}" "<script>\n${content}</script>" page "${page}")
+  endif()
+endforeach()
+file(WRITE ${OUTPUT} "${page}")

@@ -1,0 +1,2 @@
+uhas-inspect profile/allegro_right.h5 --html report.html --urdf hand/allegro_right.urdf &&
+head -n 1 report.html && ls

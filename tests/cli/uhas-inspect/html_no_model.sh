@@ -1,0 +1,2 @@
+# stderr: a warning
+uhas-inspect profile/allegro_right.h5 --html report.html && ls

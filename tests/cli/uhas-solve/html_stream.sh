@@ -1,0 +1,1 @@
+uhas-solve - --profile profile/allegro_right.h5 --html report.html

@@ -117,8 +117,11 @@ def check_overviews(pages):
 
 
 def check_sections(page):
-    titles = mdoc.sections_of(page.read_text())
-    missing = [title for title in SECTIONS[page.suffix[1:]] if title not in titles]
+    sections = mdoc.sections_of(page.read_text())
+    missing = [title for title in SECTIONS[page.suffix[1:]] if title not in sections]
+    codes = re.findall(r"^\.It (\d)$", sections.get("EXIT STATUS", ""), re.M)
+    if "EXIT STATUS" in sections and codes != ["0", "1", "2"]:
+        missing.append("the exit codes 0, 1, 2")
     return [f"{page.name} lacks {', '.join(missing)}"] if missing else []
 
 

@@ -31,6 +31,9 @@ README = (ROOT / "README.md").read_text()
 RUN_BY_CI = {
     "examples/quickstart.sh": "examples/quickstart.sh",
     "tests/run.sh": "tests/run.sh",
+    "cmake --preset release": "examples/quickstart.sh",
+    "cmake --build --preset release": "examples/quickstart.sh",
+    "cpack --preset release": "cpack --preset release",
     "cmake --preset runtime-only": "build runtime-only",
     "cmake --build --preset runtime-only": "build runtime-only",
     "cmake --install build/runtime-only --prefix DIR": "tests/install/check_install.py build/runtime-only",
@@ -44,9 +47,10 @@ def transcripts():
 
 
 def inline_commands():
-    """Commands in code spans."""
+    """Commands in code spans; one that names nothing but options, as `uhas-solve --avoid`, only speaks of them."""
     text = re.sub(r"^```.*?^```", "", README, flags=re.M | re.S)
-    return [span for span in re.findall(r"`([^`\n]+)`", text) if re.match(r"uhas-\S+ .|man -l|cmake ", span)]
+    spans = [span for span in re.findall(r"`([^`\n]+)`", text) if re.match(r"uhas-\S+ .|man -l|cmake ", span)]
+    return [span for span in spans if not re.fullmatch(r"uhas-\S+( --\S+)+", span)]
 
 
 def script_commands():

@@ -1,2 +1,1 @@
-# stderr: a warning
 uhas-inspect profile/allegro_right.h5 --gltf hand.glb

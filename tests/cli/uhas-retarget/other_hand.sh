@@ -1,4 +1,3 @@
-# stderr: a warning
 /usr/bin/python3 -c '
 import json
 names = [f"{f}_joint_{i}" for f in ("index", "middle", "ring", "thumb") for i in range(4)]

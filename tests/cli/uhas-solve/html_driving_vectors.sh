@@ -1,4 +1,3 @@
-# stderr: a warning
 # driving vectors of each plane's own, without a model
 cat > actions.json <<'END'
 {"format": "uhas-actions", "version": 1, "profile": "profile/allegro_right.h5", "driving_vectors_phi": [0.8, 1, 1.2, 1.4, 1.6], "actions": [[0,0,0,0,0, -1,-1,-1,-1,-1]]}

@@ -4,16 +4,28 @@ include(CMakePackageConfigHelpers)
 
 set(UHAS_CONFIG_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/uhas)
 set(UHAS_DATA_FOLDER ${CMAKE_INSTALL_DATADIR}/uhas)
+# Debian's zsh reads this folder below /usr; below /usr/local it reads share/zsh/site-functions
+set(UHAS_ZSH_FOLDER ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions CACHE STRING "Where completions for zsh are installed")
 
 file(RELATIVE_PATH libraries_from_tools /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR})
 set(CMAKE_INSTALL_RPATH $ORIGIN $ORIGIN/${libraries_from_tools})
 
-# uhas_install_library(<component> <room>...): the library uhas_<component> and the public headers of its rooms.
-function(uhas_install_library component)
-  install(TARGETS uhas_${component} EXPORT uhas-${component} INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-  install(EXPORT uhas-${component} NAMESPACE uhas:: DESTINATION ${UHAS_CONFIG_FOLDER})
+# What is installed is of one of three components, which become packages (cmake/packages.cmake): runtime, what a robot needs;
+# dev, what compiling against the libraries needs; tools, the rest.
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME tools)
+
+# uhas_install_library(<library> <room>...): the library uhas_<library> and the public headers of its rooms.
+function(uhas_install_library library)
+  if(library STREQUAL runtime)
+    set(component runtime)
+  else()
+    set(component tools)
+  endif()
+  install(TARGETS uhas_${library} EXPORT uhas-${library}
+    LIBRARY COMPONENT ${component} NAMELINK_COMPONENT dev ARCHIVE COMPONENT dev INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  install(EXPORT uhas-${library} NAMESPACE uhas:: DESTINATION ${UHAS_CONFIG_FOLDER} COMPONENT dev)
   foreach(room ${ARGN})
-    install(DIRECTORY uhas/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/uhas
+    install(DIRECTORY uhas/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/uhas COMPONENT dev
       FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp" PATTERN "*_detail.hpp" EXCLUDE)
   endforeach()
 endfunction()
@@ -23,19 +35,21 @@ configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/uhas-config.cmake.in ${P
   INSTALL_DESTINATION ${UHAS_CONFIG_FOLDER} NO_SET_AND_CHECK_MACRO)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/uhas-config-version.cmake COMPATIBILITY SameMajorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/uhas-config.cmake ${PROJECT_BINARY_DIR}/uhas-config-version.cmake
-  DESTINATION ${UHAS_CONFIG_FOLDER})
+  DESTINATION ${UHAS_CONFIG_FOLDER} COMPONENT dev)
 
 string(REGEX REPLACE "[^/]+" ".." prefix_from_pc ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 if(NOT BUILD_SHARED_LIBS)
   set(pc_static "Requires.private: hdf5\nLibs.private: -lstdc++ -lm -pthread\n")
 endif()
 configure_file(${CMAKE_CURRENT_LIST_DIR}/uhas.pc.in ${PROJECT_BINARY_DIR}/uhas.pc @ONLY)
-install(FILES ${PROJECT_BINARY_DIR}/uhas.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+install(FILES ${PROJECT_BINARY_DIR}/uhas.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT dev)
 
-install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN quickstart.sh EXCLUDE)
+install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
+install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT dev PATTERN quickstart.sh EXCLUDE)
 install(DIRECTORY schemas DESTINATION ${UHAS_DATA_FOLDER})
 if(UHAS_BUILD_PREPROCESS)
-  install(DIRECTORY man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+  foreach(section 1 5 7)
+    install(DIRECTORY man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man${section} FILES_MATCHING PATTERN "*.${section}")
+  endforeach()
   install(DIRECTORY hands DESTINATION ${UHAS_DATA_FOLDER} PATTERN tools EXCLUDE)
 endif()

@@ -17,10 +17,13 @@ uhas_build_packages=(
 
 uhas_test_packages=(
   doctest-dev mandoc pkg-config
+  zsh fish                                               # run the completions
+  dpkg-dev doxygen                                       # Debian packages, API reference
   liborocos-kdl-dev                                      # independent kinematics
   libnlopt-cxx-dev libnlopt-dev                          # independent optimiser
   python3 python3-numpy python3-h5py python3-jsonschema  # second reader of the profile, schema validator
   nodejs chromium                                        # reports in a browser
+  clang libclang-rt-14-dev                               # fuzz targets
 )
 # Debian's npm conflicts with packages of nodejs that bring an npm of their own.
 command -v npm > /dev/null || uhas_test_packages+=(npm)

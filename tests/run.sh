@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs the packages that are missing, builds uhas with warnings as errors and runs every test; then the unit tests again
-# under AddressSanitizer with UndefinedBehaviorSanitizer, and under ThreadSanitizer; then builds, installs and uses the runtime
-# library alone.
+# under AddressSanitizer with UndefinedBehaviorSanitizer, and under ThreadSanitizer, and each fuzz target for 30 seconds; then
+# runs the quick start, makes the Debian packages and uses them; then builds, installs and uses the runtime library alone.
 # Ends with one line a suite and what was skipped, by name; exits with 0 when everything passed.
 #
 #   UHAS_HANDS_DIR   folder of real hands, one folder a hand with its truth.json. When it is not set, the tests on real hands
@@ -35,10 +35,19 @@ run_tests() { # PRESET
     --output-junit results.xml || failed+=("tests of $1")
 }
 
-for preset in dev asan tsan; do
+for preset in dev asan tsan fuzz; do
   rm -f "build/$preset/results.xml"
   if build "$preset"; then run_tests "$preset"; fi
 done
+# the quick start builds `release`, from which the packages are made
+if examples/quickstart.sh; then
+  packages=build/release/packages
+  rm -rf "$packages"
+  cpack --preset release && /usr/bin/python3 tests/install/check_packages.py "$packages" &&
+    /usr/bin/python3 tests/install/check_install.py "$packages" || failed+=("the Debian packages")
+else
+  failed+=("the quick start")
+fi
 if build runtime-only; then
   profile=build/runtime-only/allegro_right.h5
   build/dev/bin/uhas-build-profile --quiet hands/allegro_right/allegro_right.urdf -o "$profile" &&
@@ -46,7 +55,7 @@ if build runtime-only; then
     failed+=("the runtime library, installed alone")
 fi
 
-for preset in dev asan tsan; do
+for preset in dev asan tsan fuzz; do
   [[ -e build/$preset/results.xml ]] || continue
   echo "== $preset"
   /usr/bin/python3 tests/support/summary.py "build/$preset" "build/$preset/results.xml" || failed+=("summary of $preset")
@@ -55,4 +64,4 @@ if ((${#failed[@]})); then
   printf 'FAILED: %s\n' "${failed[@]}"
   exit 1
 fi
-echo "Everything passed; the runtime library builds and installs alone."
+echo "Everything passed: the tests, the quick start, the Debian packages, the runtime library alone."

@@ -6,9 +6,9 @@
 #include "common/json_value.hpp"
 #include "common/pictures.hpp"
 #include "common/profile_check.hpp"
+#include "common/profile_input.hpp"
 #include "common/profile_summary.hpp"
 #include "common/table.hpp"
-#include "uhas/profile_io/read_profile.hpp"
 #include "uhas/profile_io/reseal_profile.hpp"
 
 using namespace uhas;
@@ -83,6 +83,7 @@ ExitCode run(Tool& tool) {
   Options options;
   add_options(tool.options(), options);
   tool.parse();
+  options.model.load.untrusted = tool.untrusted();
   check_usage(options);
 
   std::vector<ProfileFile> files;
@@ -91,14 +92,14 @@ ExitCode run(Tool& tool) {
       reseal_profile(path);
       tool.log("resealed " + path);
     }
-    files.push_back({path, read_profile(path)});
+    files.push_back({path, read_profile(tool, path)});
   }
   const auto& [path, profile] = files.front();
   if (options.validate || !options.checked_urdf.empty()) {
     std::vector<Check> checks;
     if (options.validate) checks = check_behaviour(profile);
     if (!options.checked_urdf.empty())
-      std::ranges::copy(check_sources(profile, load_model_of(profile, path, options.checked_urdf, options.model.packages)),
+      std::ranges::copy(check_sources(profile, load_model_of(profile, path, options.checked_urdf, options.model.load)),
                         std::back_inserter(checks));
     return report(tool, path, profile, checks);
   }

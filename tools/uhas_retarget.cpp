@@ -3,11 +3,11 @@
 
 #include "common/joint_order.hpp"
 #include "common/json_lines.hpp"
+#include "common/profile_input.hpp"
 #include "common/progress.hpp"
 #include "common/table.hpp"
 #include "common/tool.hpp"
 #include "common/trajectory_json.hpp"
-#include "uhas/profile_io/read_profile.hpp"
 #include "uhas/runtime/retarget.hpp"
 
 using namespace uhas;
@@ -40,9 +40,9 @@ void add_options(CLI::App& app, Options& options) {
 
 /// Two hands and what lies between them.
 struct Retargeting {
-  explicit Retargeting(const Options& options)
-      : from(read_profile(options.from)),
-        to(read_profile(options.to)),
+  Retargeting(const Tool& tool, const Options& options)
+      : from(read_profile(tool, options.from)),
+        to(read_profile(tool, options.to)),
         retargeter(from, to, {}, options.driving_vectors),
         order(from),
         q_from(from.tree.joints.size()),
@@ -95,7 +95,7 @@ void print_summary(const Tool& tool, const Retargeting& run) {
 
 ExitCode retarget_stream(const Tool& tool, const Options& options) {
   if (!options.output.empty()) throw Tool::wrong_usage("--output", "a stream of frames goes to standard output");
-  Retargeting run(options);
+  Retargeting run(tool, options);
   const std::size_t failed = answer_json_lines(std::cin, std::cout, [&](const std::string& line) {
     const Json value = parse_json(line, "");
     if (const std::optional<TrajectoryHeader> header = header_of(value, "header")) {
@@ -117,7 +117,7 @@ ExitCode retarget_file(const Tool& tool, const Options& options) {
   const TrajectoryKind kind =
       options.output.empty() ? trajectory_kind(options.trajectory) : trajectory_kind(options.output);
   const bool binary_to_stdout = options.output.empty() && kind == TrajectoryKind::hdf5;
-  Retargeting run(options);
+  Retargeting run(tool, options);
   const std::unique_ptr<TrajectoryReader> reader = open_trajectory(options.trajectory);
   run.order = JointOrder(run.from, reader->header().joint_names, options.trajectory);
   warn_of_other_hand(tool, reader->header().hand, run.from);

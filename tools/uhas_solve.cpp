@@ -5,11 +5,11 @@
 #include "common/actions.hpp"
 #include "common/json_lines.hpp"
 #include "common/output.hpp"
+#include "common/profile_input.hpp"
 #include "common/report_page.hpp"
 #include "common/solution.hpp"
 #include "common/tool.hpp"
 #include "uhas/base/file_bytes.hpp"
-#include "uhas/profile_io/read_profile.hpp"
 
 using namespace uhas;
 using namespace uhas::tools;
@@ -76,7 +76,7 @@ ExitCode solve_stream(const Tool& tool, const Options& options) {
   if (options.profile.empty()) throw Tool::wrong_usage("--profile", "needed when actions come from standard input");
   if (!options.output.empty()) throw Tool::wrong_usage("--output", "a stream of solutions goes to standard output");
   if (!options.html.empty()) throw Tool::wrong_usage("--html", "needs a file of actions");
-  SolutionMaker maker({options.profile, read_profile(options.profile)}, options.solve_options(kUhas), options.joints,
+  SolutionMaker maker({options.profile, read_profile(tool, options.profile)}, options.solve_options(kUhas), options.joints,
                       options.collision, options.model);
   const std::size_t failed = answer_json_lines(std::cin, std::cout, [&](const std::string& line) {
     const std::vector<double> values = parse_action(line);
@@ -107,7 +107,7 @@ ExitCode solve_file(const Tool& tool, const Options& options) {
   if (profile_path.empty())
     throw Tool::wrong_usage("--profile", "needed because " + options.actions + " does not name a hand profile");
   const SolveOptions solve = options.solve_options(document.convention);
-  SolutionMaker maker({profile_path, read_profile(profile_path)}, solve, options.joints, options.collision, options.model);
+  SolutionMaker maker({profile_path, read_profile(tool, profile_path)}, solve, options.joints, options.collision, options.model);
 
   Json solutions = Json::array();
   for (std::size_t i = 0; i < document.actions.size(); ++i) {
@@ -129,6 +129,7 @@ ExitCode run(Tool& tool) {
   Options options;
   add_options(tool.options(), options);
   tool.parse();
+  options.model.load.untrusted = tool.untrusted();
   if (!options.model.urdfs.empty() && options.html.empty() && !options.collision.report && !options.collision.avoid)
     throw Tool::wrong_usage("--urdf", "needs --collisions, --avoid or --html");
   return options.actions == "-" ? solve_stream(tool, options) : solve_file(tool, options);

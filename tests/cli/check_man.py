@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""The man pages and the tools say the same.
+"""The man pages, the tools and the formats say the same.
 
     check_man.py --bin build/dev/bin
 
-Every tool has a page and every page a tool. Every option of --help is on the page, by the same names, with the same
-argument and the same default; every option on the page is in --help. The examples of every page run. mandoc finds no
-fault, where mandoc is installed.
+Every tool has a page and every page a tool. Every option of the tool's parser (--describe) is in --help and on the page, by the
+same names, with the same argument and the same default; every option of both is one of the parser's. uhas(7) names every tool,
+uhas-hand-config(5) every key of the schema, uhas-hand-profile(5) every dataset of the list, and none that is not there. The
+examples of every page run, leave stderr empty, and print what the page shows. mandoc finds no fault, where mandoc is installed.
 """
 
 import argparse
@@ -19,7 +20,15 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-SECTIONS = ["NAME", "SYNOPSIS", "DESCRIPTION", "OPTIONS", "EXIT STATUS", "EXAMPLES", "SEE ALSO"]
+sys.path.insert(0, str(ROOT / "tests/support"))
+import mdoc  # noqa: E402
+import transcript  # noqa: E402
+
+SECTIONS = {
+    "1": ["NAME", "SYNOPSIS", "DESCRIPTION", "OPTIONS", "FILES", "EXIT STATUS", "EXAMPLES", "SEE ALSO"],
+    "5": ["NAME", "DESCRIPTION", "FILES", "EXAMPLES", "SEE ALSO"],
+    "7": ["NAME", "DESCRIPTION", "FILES", "EXIT STATUS", "EXAMPLES", "SEE ALSO"],
+}
 
 # what the examples find in their folder, besides the hand of hands/allegro_right
 HAND_CONFIG = '{"palm_link": "palm"}'
@@ -29,35 +38,21 @@ TRAJECTORY = [{"format": "uhas-trajectory", "version": 1, "joint_names": JOINTS}
 
 
 def options_of_help(text):
-    """{option names: (argument, default or None)} from the output of --help."""
+    """{option names: argument} from the output of --help."""
     options = {}
     for entry in re.findall(r"^  -\S.*(?:\n {20,}\S.*)*", text, re.M):
-        flags, description = re.split(r"\s{2,}|\n\s*", entry.strip(), maxsplit=1)
+        flags, _ = re.split(r"\s{2,}|\n\s*", entry.strip(), maxsplit=1)
         names, _, argument = flags.removesuffix(" REQUIRED").partition(" ")
-        default = re.search(r"\[([\w.]+)\]$", description)
-        options[frozenset(names.split(","))] = (argument, default and default[1])
+        options[frozenset(names.split(","))] = argument
     return options
 
 
-def sections_of(page):
-    """{title: text} of an mdoc page."""
-    parts = re.split(r"^\.Sh (.*)\n", page, flags=re.M)
-    return {title: text for title, text in zip(parts[1::2], parts[2::2])}
-
-
-def options_of_page(section):
-    """{option names: (argument, text)} from the tagged list of OPTIONS."""
+def options_of_parser(command_line):
+    """{option names: (argument, default or None)}; a description ends in its default, in brackets, when that is one word."""
     options = {}
-    for item in re.split(r"^\.It ", section, flags=re.M)[1:]:
-        tag, _, text = item.partition("\n")
-        names, argument = [], []
-        words = iter(tag.split())
-        for word in words:
-            if word == "Fl":
-                names.append("-" + next(words))
-            elif word not in ("Ar", "Cm", "Ns") and not (word == "," and not argument):
-                argument.append(word)
-        options[frozenset(names)] = ("".join(argument), text)
+    for option in command_line["options"]:
+        default = re.search(r"\[([\w.]+)\]$", option["text"])
+        options[frozenset(option["names"])] = (option["argument"], default and default[1])
     return options
 
 
@@ -65,74 +60,106 @@ def named(names):
     return ", ".join(sorted(names))
 
 
-def compare_options(tool, help_text, sections):
-    """Faults of one page against the help of its tool."""
-    in_help, on_page = options_of_help(help_text), options_of_page(sections["OPTIONS"])
-    assert in_help, f"{tool}: no options found in --help"
-    faults = [f"{named(names)} of --help is not on the page" for names in in_help.keys() - on_page.keys()]
-    faults += [f"{named(names)} of the page is not in --help" for names in on_page.keys() - in_help.keys()]
-    for names in in_help.keys() & on_page.keys():
-        (argument, default), (page_argument, text) = in_help[names], on_page[names]
-        if argument != page_argument:
-            faults.append(f"{named(names)} takes '{argument}' in --help, '{page_argument}' on the page")
+def difference(one, one_name, other, other_name):
+    """Messages on what only one of two sets has."""
+    faults = [f"{item} of {one_name} is not in {other_name}" for item in sorted(one - other)]
+    return faults + [f"{item} of {other_name} is not in {one_name}" for item in sorted(other - one)]
+
+
+def compare_options(command_line, help_text, sections):
+    """Faults of a page and of --help against the parser of their tool."""
+    parsed, in_help = options_of_parser(command_line), options_of_help(help_text)
+    on_page = mdoc.options_of(sections["OPTIONS"])
+    faults = difference(set(map(named, parsed)), "the parser", set(map(named, in_help)), "--help")
+    faults += difference(set(map(named, parsed)), "the parser", set(map(named, on_page)), "the page")
+    for names in parsed.keys() & in_help.keys() & on_page.keys():
+        (argument, default), (page_argument, text) = parsed[names], on_page[names]
+        if not argument == in_help[names] == page_argument:
+            faults.append(f"{named(names)} takes '{argument}', '{in_help[names]}' in --help, '{page_argument}' on the page")
         if default and not re.search(rf"(?<!\w){re.escape(default)}(?!\w)", text):
             faults.append(f"{named(names)}: its default {default} is not on the page")
-        long_name = max(names, key=len)
-        if f"Fl {long_name[1:]}" not in sections["SYNOPSIS"] and f"Fl {min(names, key=len)[1:]}" not in sections["SYNOPSIS"]:
-            faults.append(f"{long_name} is not in SYNOPSIS")
-    usage = re.search(r"^Usage: \S+ \[OPTIONS\] (.+)$", help_text, re.M)
-    if usage and f".Ar {usage[1]}" not in sections["SYNOPSIS"]:
-        faults.append(f"argument {usage[1]} is not in SYNOPSIS")
+        if not any(re.search(rf"Fl {re.escape(name[1:])}(?!\S)", sections["SYNOPSIS"]) for name in names):
+            faults.append(f"{named(names)} is not in SYNOPSIS")
+    for positional in command_line["positionals"]:
+        if f".Ar {positional['names'][0]}" not in sections["SYNOPSIS"]:
+            faults.append(f"argument {positional['names'][0]} is not in SYNOPSIS")
     return faults
 
 
-def run_examples(section, folder, environment):
+def check_tools(pages, bin_folder):
+    """Faults of the pages of section 1."""
+    of_tools = {path.stem: path for path in pages if path.suffix == ".1"}
+    tools = {path.name: path for path in sorted(bin_folder.glob("uhas-*")) if os.access(path, os.X_OK)}
+    yield from difference(tools.keys(), "the tools", of_tools.keys(), "man/*.1")
+    for tool in sorted(tools.keys() & of_tools.keys()):
+        help_text, description = (subprocess.run([tools[tool], *arguments], capture_output=True, text=True, check=True).stdout
+                                  for arguments in (["--help"], ["--describe", "json"]))
+        sections = mdoc.sections_of(of_tools[tool].read_text())
+        if all(title in sections for title in SECTIONS["1"]):
+            yield from (f"{tool}: {fault}" for fault in compare_options(json.loads(description), help_text, sections))
+
+
+def check_overviews(pages):
+    """Faults of the pages of sections 5 and 7 against what they are about."""
+    text = {path.name: path.read_text() for path in pages}
+    tools = {f"{path.stem}(1)" for path in pages if path.suffix == ".1"}
+    referred = {reference for reference in mdoc.references(text["uhas.7"]) if reference.endswith("(1)")}
+    yield from difference(tools, "man/*.1", referred, "uhas(7)")
+
+    schema = json.loads((ROOT / "schemas/hand-config.schema.json").read_text())
+    keys = set(re.findall(r"^\.It Cm (\S+)", text["uhas-hand-config.5"], re.M))
+    fingertip = schema["properties"]["fingertips"]["items"]["properties"]
+    yield from difference(set(schema["properties"]) | set(fingertip), "the schema", keys, "uhas-hand-config(5)")
+
+    listed = json.loads((ROOT / "schemas/hand-profile-v1.datasets.json").read_text())["datasets"]
+    datasets = set(re.findall(r"^\.It Pa /(\S+)", text["uhas-hand-profile.5"], re.M))
+    yield from difference({entry["path"] for entry in listed}, "the list", datasets, "uhas-hand-profile(5)")
+
+
+def check_sections(page):
+    sections = mdoc.sections_of(page.read_text())
+    missing = [title for title in SECTIONS[page.suffix[1:]] if title not in sections]
+    codes = re.findall(r"^\.It (\d)$", sections.get("EXIT STATUS", ""), re.M)
+    if "EXIT STATUS" in sections and codes != ["0", "1", "2"]:
+        missing.append("the exit codes 0, 1, 2")
+    return [f"{page.name} lacks {', '.join(missing)}"] if missing else []
+
+
+def run_examples(page, environment):
     """Faults of the commands of EXAMPLES, run one after another."""
-    commands = re.findall(r"^\.Dl \$ (.*)$", section, re.M)
+    commands = mdoc.transcripts(mdoc.sections_of(page.read_text()).get("EXAMPLES", ""))
     faults = [] if commands else ["no example"]
-    for command in commands:
-        result = subprocess.run(["bash", "-c", command], cwd=folder, env=environment, capture_output=True, text=True)
-        if result.returncode != 0 or result.stderr:
-            faults.append(f"example '{command}' exits with {result.returncode}: {result.stderr.strip()}")
-    return faults
+    with tempfile.TemporaryDirectory() as folder:
+        shutil.copytree(ROOT / "hands/allegro_right", folder, dirs_exist_ok=True)
+        shutil.copytree(ROOT / "hands/leap_right", pathlib.Path(folder, "leap"))
+        os.rename(f"{folder}/allegro_right.urdf", f"{folder}/hand.urdf")
+        pathlib.Path(folder, "hand.json").write_text(HAND_CONFIG)
+        pathlib.Path(folder, "actions.json").write_text(ACTIONS)
+        pathlib.Path(folder, "trajectory.jsonl").write_text("".join(json.dumps(line) + "\n" for line in TRAJECTORY))
+        for command, shown in commands:
+            faults += transcript.run(command, shown, folder, environment)
+    return [f"{page.name}: {fault}" for fault in faults]
+
+
+def lint(pages):
+    if not shutil.which("mandoc"):
+        print("SKIPPED: the lint of the pages: mandoc is not installed")
+        return []
+    return subprocess.run(["mandoc", "-T", "lint", "-W", "warning", *pages], capture_output=True, text=True).stdout.splitlines()
 
 
 def main():
-    parser = argparse.ArgumentParser(description="Check the man pages against the tools.")
-    parser.add_argument("--bin", required=True, help="folder of the tools")
-    bin_folder = pathlib.Path(parser.parse_args().bin).resolve()
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--bin", required=True, type=pathlib.Path, help="folder of the tools")
+    bin_folder = parser.parse_args().bin.resolve()
 
-    pages = {path.stem: path for path in sorted((ROOT / "man").glob("*.1"))}
-    tools = {path.name: path for path in sorted(bin_folder.glob("uhas-*")) if os.access(path, os.X_OK)}
-    faults = [f"{tool}: has no page in man/" for tool in tools.keys() - pages.keys()]
-    faults += [f"{page}: has no tool in {bin_folder}" for page in pages.keys() - tools.keys()]
-
-    environment = dict(os.environ, PATH=f"{bin_folder}:{os.environ['PATH']}")
-    for tool in sorted(tools.keys() & pages.keys()):
-        page = pages[tool].read_text()
-        sections = sections_of(page)
-        missing = [title for title in SECTIONS if title not in sections]
-        if missing:
-            faults.append(f"{tool}: the page lacks {', '.join(missing)}")
-            continue
-        help_text = subprocess.run([tools[tool], "--help"], capture_output=True, text=True, check=True).stdout
-        found = compare_options(tool, help_text, sections)
-        with tempfile.TemporaryDirectory() as folder:
-            shutil.copytree(ROOT / "hands/allegro_right", folder, dirs_exist_ok=True)
-            os.rename(f"{folder}/allegro_right.urdf", f"{folder}/hand.urdf")
-            pathlib.Path(folder, "hand.json").write_text(HAND_CONFIG)
-            pathlib.Path(folder, "actions.json").write_text(ACTIONS)
-            pathlib.Path(folder, "trajectory.jsonl").write_text("".join(json.dumps(line) + "\n" for line in TRAJECTORY))
-            found += run_examples(sections["EXAMPLES"], folder, environment)
-        faults += [f"{tool}: {fault}" for fault in found]
-
-    if shutil.which("mandoc"):
-        lint = subprocess.run(["mandoc", "-T", "lint", "-W", "warning", *pages.values()], capture_output=True, text=True)
-        faults += lint.stdout.splitlines()
-    else:
-        print("SKIPPED: the lint of the pages: mandoc is not installed")
-
-    print("\n".join(faults) if faults else f"{len(pages)} pages agree with their tools")
+    pages = sorted((ROOT / "man").iterdir())
+    # the Python that has h5py, as the examples call it
+    environment = dict(os.environ, PATH=f"{bin_folder}:{pathlib.Path(sys.executable).parent}:{os.environ['PATH']}")
+    faults = [*check_tools(pages, bin_folder), *check_overviews(pages), *lint(pages)]
+    for page in pages:
+        faults += check_sections(page) + run_examples(page, environment)
+    print("\n".join(faults) if faults else f"{len(pages)} pages agree with tools and formats")
     return 1 if faults else 0
 
 

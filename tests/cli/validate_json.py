@@ -54,6 +54,7 @@ def tool_documents(bin_dir, folder):
     commands = [
         ("profile-summary", "uhas-build-profile", [HAND, "-o", profile, "--json"]),
         ("profile-summary", "uhas-inspect", [profile, "--json"]),
+        ("command-line", "uhas-inspect", ["--describe", "json"]),
         ("hand-explanation", "uhas-explain-hand", [HAND, "--json", "--write-config", config]),
         ("profile-check", "uhas-inspect", [profile, "--validate", "--check", HAND, "--json"]),
         ("evaluation", "uhas-evaluate", [profile, profile, "--actions", "20", "--lines", "5", "--json", "--quiet"]),
@@ -101,10 +102,9 @@ def tool_documents(bin_dir, folder):
 
 
 def repository_documents():
-    for path in sorted([*ROOT.glob("examples/*.json"), *ROOT.glob("hands/configs/*.json")]):
+    for path in sorted([*ROOT.glob("examples/*.json"), *ROOT.glob("schemas/*.datasets.json")]):
         document = parse(path.read_text())
-        format_name = document.get("format", "uhas-hand-config" if path.parent.name == "configs" else "")
-        yield format_name.removeprefix("uhas-"), str(path.relative_to(ROOT)), document
+        yield document["format"].removeprefix("uhas-"), str(path.relative_to(ROOT)), document
 
 
 def main():

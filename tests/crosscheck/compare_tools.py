@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Builds a hand's profile with uhas-build-profile, solves random actions with uhas-solve, and lets the second reader
-(read_profile.py) arrive at the same forward kinematics and the same residuals."""
+(read_profile.py, lateral_and_weights.py) arrive at the same forward kinematics, lateral joints, residuals and weights."""
 
 import argparse
 import json
@@ -12,6 +12,7 @@ import tempfile
 
 import numpy as np
 
+import lateral_and_weights
 import read_profile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
@@ -19,6 +20,7 @@ import real_hand  # noqa: E402
 
 SLOTS = 5
 TOLERANCE = 1e-9  # radii, metres, radians
+POINTS_PER_LINK = 32  # the default of uhas-build-profile
 
 
 def random_actions(seed, V, normalized):
@@ -55,12 +57,16 @@ def action_files():
 
 
 def compare_solutions(profile, run, folder):
-    """Messages on residuals that differ; the number of residuals and how many of them do not exist."""
+    """Messages on residuals and lateral joints that differ; the number of residuals and how many of them do not exist."""
     messages, residuals = [], []
     for label, actions, options in action_files():
         (folder / "actions.json").write_text(json.dumps(actions))
         solution = run("uhas-solve", folder / "actions.json", "--profile", folder / "hand.h5", *options)
         messages += [f"{label}: {m}" for m in read_profile.compare_residuals(profile, solution, actions, TOLERANCE)]
+        messages += [
+            f"{label}: {m}"
+            for m in lateral_and_weights.compare_lateral_joints(profile, solution, actions, TOLERANCE)
+        ]
         residuals += [s["residual_rms"] for s in solution["solutions"]]
     missing = residuals.count(None)
     if not 0 < missing < len(residuals):
@@ -88,7 +94,6 @@ def compare_summary(profile, summary):
     wrapped = (fingertips(profile, profile["joints"]["q_sphere"]) - T_palm_sphere[:3, 3]) @ T_palm_sphere[:3, :3]
     theta = np.arctan2(wrapped[:, 1], wrapped[:, 0]) * (-1 if profile["hand"]["mirrored"] else 1)
     phi = np.arccos(-wrapped[:, 2] / np.linalg.norm(wrapped, axis=1))
-
 
     def told(key):
         return np.array([finger[key] for finger in summary["fingers"]])
@@ -126,6 +131,8 @@ def main():
         run("uhas-build-profile", urdf, "-o", folder / "hand.h5")
         profile = read_profile.load(folder / "hand.h5")
         messages = list(compare_summary(profile, run("uhas-inspect", folder / "hand.h5", "--json")))
+        messages += lateral_and_weights.compare_tables(profile)
+        messages += lateral_and_weights.compare_weights(profile, POINTS_PER_LINK)
         differences, count, missing = compare_solutions(profile, run, folder)
         messages += differences
     for message in messages:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A second reader of hand profiles, written from schemas/hand-profile-v1.md alone (h5py and numpy).
+"""A second reader of hand profiles, written from schemas/hand-profile-v1.md and its list of datasets alone (h5py and numpy).
 
     read_profile.py PROFILE                     checks the user block, reads everything, checks that an action of zeros
                                                 fits q_sphere
@@ -11,10 +11,15 @@
 import argparse
 import hashlib
 import json
+import re
 import sys
 
 import h5py
 import numpy as np
+
+import dataset_list
+import relations
+import screening
 
 SLOTS = 5
 
@@ -26,15 +31,33 @@ def user_block(data, version):
 
 
 def check_user_block(path):
+    """(major, minor) that the user block states."""
     with open(path, "rb") as file:
         data = file.read()
-    tag, _, version = data.split(b"\n", 1)[0].decode().partition(" ")
-    if tag != "uhas-hand-profile":
+    first_line = re.match(rb"uhas-hand-profile (\d+)\.(\d+)\n", data)
+    if not first_line:
         raise ValueError(f"{path}: not a hand profile")
-    if version.split(".")[0] != "1":
-        raise ValueError(f"{path}: format version {version}, this reader knows 1")
-    if data[:512] != user_block(data, version):
+    major, minor = map(int, first_line.groups())
+    if major != 1:
+        raise ValueError(f"{path}: format version {major}.{minor}, this reader knows 1")
+    if data[:512] != user_block(data, f"{major}.{minor}"):
         raise ValueError(f"{path}: damaged")
+    return major, minor
+
+
+def open_hdf5(path):
+    try:
+        return h5py.File(path, "r")
+    except OSError as error:
+        raise ValueError(f"{path}: {error}") from None
+
+
+def seal(path):
+    """Rewrites the user block of a file that was edited, for the version that it states."""
+    with open(path, "r+b") as file:
+        data = file.read()
+        file.seek(0)
+        file.write(user_block(data, data.split(b"\n", 1)[0].decode().partition(" ")[2]))
 
 
 def values(dataset):
@@ -46,14 +69,19 @@ def values(dataset):
 
 
 def load(path):
-    """{group: {dataset: values}}; a list dataset becomes one array a row."""
-    check_user_block(path)
-    with h5py.File(path, "r") as file:
-        assert file.attrs["format"] == b"uhas-hand-profile" and file.attrs["version"][0] == 1
+    """{group: {dataset: values}}; a list dataset becomes one array a row. ValueError on what the format does not allow."""
+    major, minor = check_user_block(path)
+    with open_hdf5(path) as file:
+        screening.screen(file)
+        if file.attrs.get("format") != b"uhas-hand-profile" or list(file.attrs.get("version", [])) != [major, minor]:
+            raise ValueError(f"{path}: its root attributes do not agree with its user block")
+        dataset_list.check(file)
         profile = {group: {name: values(file[group][name]) for name in file[group]} for group in file}
     for group in profile.values():
         for name in [name for name in group if name + "_offsets" in group]:
-            group[name] = np.split(group[name], group.pop(name + "_offsets")[1:-1])
+            offsets = group.pop(name + "_offsets")
+            group[name] = [group[name][begin:end] for begin, end in zip(offsets, offsets[1:])]
+    relations.check(profile)
     return profile
 
 

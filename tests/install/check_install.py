@@ -3,9 +3,11 @@
 
     check_install.py build/dev
     check_install.py build/runtime-only --profile hand.h5
+    check_install.py build/release/packages          the Debian packages in that folder, unpacked
 
 Public headers compile one by one and need nothing that is not installed; the examples build against the package and run;
-pkg-config leads to the same library; uhas::preprocess is found where it was built and refused with a reason where not.
+pkg-config leads to the same library; uhas::preprocess is found where it was built and refused with a reason where not; the
+programs of README.md build and run.
 A build without tools cannot make a hand profile: --profile gives it one.
 """
 
@@ -14,11 +16,24 @@ import os
 import pathlib
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+C_PROGRAM = """#include <stdio.h>
+
+#include "uhas/c/uhas.h"
+
+int main(void) {
+  const double action[15] = {0};
+  double q[16];
+SNIPPET
+  return status == UHAS_OK ? 0 : 1;
+}
+"""
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Werror"]
 
 
@@ -39,8 +54,12 @@ class Installation:
 
     def __init__(self, build, scratch, profile):
         self.prefix, self.scratch, self.profile = scratch / "moved", scratch, profile
-        run("cmake", "--install", build, "--prefix", scratch / "first")
-        os.rename(scratch / "first", self.prefix)
+        packages = sorted(build.glob("*.deb"))
+        for package in packages:
+            run("dpkg-deb", "--extract", package, scratch / "root")
+        if not packages:
+            run("cmake", "--install", build, "--prefix", scratch / "first")
+        os.rename(scratch / ("root/usr" if packages else "first"), self.prefix)
         self.library = next(self.prefix.glob("lib*/**/libuhas.so")).parent
         self.has_preprocess = (self.prefix / "bin").exists()
 
@@ -96,6 +115,23 @@ class Installation:
         run("c++", "-std=c++20", self.prefix / "share/doc/uhas/examples/02_solve.cpp", *flags, "-o", program)
         run(program, self.profile, env=dict(os.environ, LD_LIBRARY_PATH=str(self.library)))
 
+    def check_readme(self):
+        """The C++ program of README.md with its lines of CMake, and its lines of C, in a folder with the profile they name."""
+        blocks = dict(re.findall(r"^```(cpp|cmake|c)\n(.*?)^```", (ROOT / "README.md").read_text(), re.M | re.S))
+        source, build = self.scratch / "readme", self.scratch / "readme build"
+        source.mkdir()
+        (source / "controller.cpp").write_text(blocks["cpp"])
+        (source / "snippet.c").write_text(C_PROGRAM.replace("SNIPPET", blocks["c"]))
+        (source / "CMakeLists.txt").write_text(
+            "cmake_minimum_required(VERSION 3.25)\nproject(readme LANGUAGES C CXX)\n"
+            "add_executable(my_controller controller.cpp)\nadd_executable(snippet snippet.c)\n" + blocks["cmake"]
+            + "target_link_libraries(snippet PRIVATE uhas::runtime)\n")
+        self.build(source, build)
+        shutil.copy(self.profile, build / "allegro_right.h5")
+        if run(build / "my_controller", cwd=build).count("\n") != 16:
+            raise Failure("the program of README.md does not print 16 joints")
+        run(build / "snippet", cwd=build)
+
     def check_preprocess(self):
         build = self.scratch / "preprocess"
         self.build(HERE / "preprocess", build)
@@ -121,13 +157,14 @@ class Installation:
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("build", type=pathlib.Path, help="a build folder, built")
+    parser.add_argument("build", type=pathlib.Path, help="a build folder, built, or a folder of .deb files")
     parser.add_argument("--profile", type=pathlib.Path, help="the hand profile that the examples load")
     options = parser.parse_args()
 
     with tempfile.TemporaryDirectory(prefix="uhas install ") as folder:  # a space: paths must be quoted everywhere
         package = Installation(options.build, pathlib.Path(folder), options.profile)
-        checks = [package.check_headers, package.check_soname, package.check_examples, package.check_pkg_config]
+        checks = [package.check_headers, package.check_soname, package.check_examples, package.check_pkg_config,
+                  package.check_readme]
         if package.has_preprocess:
             checks = [package.make_profile, *checks, package.check_preprocess, package.check_report]
         else:

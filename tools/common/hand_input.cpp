@@ -8,7 +8,7 @@ void add_hand_options(CLI::App& app, HandInput& input) {
   app.add_option("hand.urdf", input.urdf, "URDF of the hand")->required()->type_name("FILE");
   app.add_option("--config", input.config_file, "Hand config (JSON) that overrides what would be inferred")
       ->type_name("FILE");
-  add_package_option(app, input.settings.load.packages);
+  add_load_options(app, input.settings.load);
   add_choice<GeometrySource>(
       app, "--geometry", input.settings.load.geometry,
       {{"visual", GeometrySource::visual}, {"collision", GeometrySource::collision}, {"both", GeometrySource::both}},
@@ -20,8 +20,8 @@ void add_hand_options(CLI::App& app, HandInput& input) {
                "Five fingers: pinky and ring share the mean of their two slots");
 }
 
-void add_package_option(CLI::App& app, std::vector<PackageFolder>& packages) {
-  const auto assign = [&packages](const std::vector<std::string>& pairs) {
+void add_load_options(CLI::App& app, LoadOptions& load) {
+  const auto assign = [&packages = load.packages](const std::vector<std::string>& pairs) {
     for (const std::string& pair : pairs) {
       const std::size_t equals = pair.find('=');
       if (equals == 0 || equals == std::string::npos || equals + 1 == pair.size())
@@ -33,6 +33,13 @@ void add_package_option(CLI::App& app, std::vector<PackageFolder>& packages) {
                                                     "Folder that package://NAME/ stands for; repeatable")
       ->allow_extra_args(false)
       ->option_text("NAME=DIR");
+  app.add_flag("--allow-outside", load.allow_outside, "Read meshes outside the folder of the model and of its packages, too");
+  app.add_option("--max-triangles", load.max_triangles, "Refuse a hand of more triangles [20000000]")
+      ->check(CLI::PositiveNumber.description(""))
+      ->type_name("N");
+  app.add_option("--max-mesh-bytes", load.max_mesh_bytes, "Refuse larger mesh files [536870912]")
+      ->check(CLI::PositiveNumber.description(""))
+      ->type_name("N");
 }
 
 void add_lateral_options(CLI::App& app, LateralTableOptions& options) {
@@ -51,6 +58,7 @@ void add_surface_options(CLI::App& app, CorrespondenceOptions& options) {
 }
 
 BuildStages run_stages(const Tool& tool, HandInput& input, Stage last) {
+  input.settings.load.untrusted = tool.untrusted();
   if (!input.config_file.empty()) input.settings.config = read_hand_config(input.config_file);
   BuildStages stages;
   {

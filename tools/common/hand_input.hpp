@@ -15,11 +15,11 @@ struct HandInput {
   BuildSettings settings;
 };
 
-/// hand.urdf, --config, --package, --geometry, --radius-scale, --merge-pinky.
+/// hand.urdf, --config, those of `add_load_options`, --geometry, --radius-scale, --merge-pinky.
 void add_hand_options(CLI::App& app, HandInput& input);
 
-/// --package NAME=DIR, repeatable.
-void add_package_option(CLI::App& app, std::vector<PackageFolder>& packages);
+/// --package NAME=DIR, repeatable, --allow-outside, --max-triangles and --max-mesh-bytes.
+void add_load_options(CLI::App& app, LoadOptions& load);
 
 /// --lateral-steps N.
 void add_lateral_options(CLI::App& app, LateralTableOptions& options);

@@ -61,7 +61,7 @@ std::string problem_of(const nlohmann::json::exception& error) {
 
 }  // namespace
 
-Json new_document(const std::string& format) { return {{"format", format}, {"version", 1}}; }
+Json new_document(const std::string& format) { return {{"format", format}, {"version", kJsonVersion}}; }
 
 Json to_json(Vector3d v) { return {v.x, v.y, v.z}; }
 

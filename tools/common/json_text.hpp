@@ -13,7 +13,9 @@ namespace uhas::tools {
 
 using Json = nlohmann::ordered_json;
 
-/// A document of `format`, version 1; every document opens so.
+inline constexpr int kJsonVersion = 1;  ///< of every JSON format that the tools write
+
+/// A document of `format`, version kJsonVersion; every document opens so.
 Json new_document(const std::string& format);
 
 Json to_json(Vector3d v);          ///< [x, y, z]

@@ -33,7 +33,7 @@ std::string urdf_nearby(const ProfileFile& file) {
 }
 
 ModelFile load_unchanged(const ProfileFile& file, const std::string& urdf, const ModelInput& input) {
-  ModelFile result{urdf, load_model_of(file.profile, file.path, urdf, input.packages)};
+  ModelFile result{urdf, load_model_of(file.profile, file.path, urdf, input.load)};
   const std::vector<Check> checks = check_sources(file.profile, result.model);
   const auto failed = std::ranges::find(checks, false, &Check::passed);
   if (failed != checks.end())
@@ -49,13 +49,12 @@ void add_model_options(CLI::App& app, ModelInput& input) {
                  "URDF that the profile was built from, for its meshes; repeatable [the one beside the profile or in this folder]")
       ->allow_extra_args(false)
       ->option_text("hand.urdf");
-  add_package_option(app, input.packages);
+  add_load_options(app, input.load);
 }
 
 HandModel load_model_of(const HandProfile& profile, const std::string& profile_path, const std::string& urdf,
-                        const std::vector<PackageFolder>& packages) {
-  LoadOptions load = settings_from_json(profile.settings_json, profile_path).load;
-  load.packages = packages;
+                        LoadOptions load) {
+  load.geometry = settings_from_json(profile.settings_json, profile_path).load.geometry;
   return load_hand_model(urdf, load);
 }
 

@@ -21,7 +21,7 @@ struct ProfileFile {
 
 struct ModelInput {
   std::vector<std::string> urdfs;  ///< in any order
-  std::vector<PackageFolder> packages;
+  LoadOptions load;                ///< but for the geometry, which is the profile's
 };
 
 /// A model and the URDF that it was read from.
@@ -30,12 +30,12 @@ struct ModelFile {
   HandModel model;
 };
 
-/// --urdf FILE, repeatable, and --package.
+/// --urdf FILE, repeatable, and those of `add_load_options`.
 void add_model_options(CLI::App& app, ModelInput& input);
 
 /// The URDF as the build of `profile` read it: with the same choice of geometry.
 HandModel load_model_of(const HandProfile& profile, const std::string& profile_path, const std::string& urdf,
-                        const std::vector<PackageFolder>& packages);
+                        LoadOptions load);
 
 /// The model of each profile: of --urdf the file with the profile's SHA-256, else a file of the same name with that SHA-256 beside the
 /// profile or in the current folder, else none. Throws Error: invalid_model for a URDF of --urdf that no profile was built from, or

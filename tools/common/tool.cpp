@@ -3,11 +3,33 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <string_view>
 
+#include "common/command_line.hpp"
 #include "common/terminal.hpp"
 #include "uhas/base/errors.hpp"
+#include "uhas/profile/hand_profile.hpp"
 
 namespace uhas::tools {
+namespace {
+
+/// "uhas-solve 0.1.0", then the versions of the formats.
+std::string version_text(const std::string& tool) {
+  return tool + " " UHAS_VERSION "\nhand profile format " + std::to_string(kProfileVersionMajor) + "." +
+         std::to_string(kProfileVersionMinor) + "\nJSON formats " + std::to_string(kJsonVersion);
+}
+
+/// What the parser knows, in the form of this name: a document or a completion script. Empty for other names.
+std::string description(const CLI::App& app, std::string_view form) {
+  const CommandLine command_line = describe_command_line(app);
+  if (form == "json") return to_text(command_line_json(command_line));
+  if (form == "bash") return bash_completion(command_line);
+  if (form == "zsh") return zsh_completion(command_line);
+  if (form == "fish") return fish_completion(command_line);
+  return "";
+}
+
+}  // namespace
 
 Tool::Tool(std::string name, int argc, char** argv)
     : name_(std::move(name)), app_("", name_), argc_(argc), argv_(argv) {}
@@ -15,12 +37,19 @@ Tool::Tool(std::string name, int argc, char** argv)
 void Tool::parse() {
   // added last, so that --help lists them after the tool's own options
   app_.option_defaults()->group("Common options");
+  app_.add_flag("--untrusted", untrusted_, "Read profiles and meshes in child processes, under limits of time and memory");
   app_.add_flag("--json", json_, "Print the result as JSON");
   app_.add_flag("--quiet", quiet_, "Print no warnings and no progress");
   app_.add_flag("--verbose", verbose_, "Say on stderr what is being done");
-  app_.set_version_flag("--version", name_ + " " UHAS_VERSION, "Print the version and exit");
+  app_.set_version_flag("--version", version_text(name_), "Print the version and exit");
   app_.set_help_flag("-h,--help", "Print this help and exit");
   app_.footer("Exit codes: 0 done, 1 the input or the run failed, 2 wrong usage.");
+  if (argc_ == 3 && std::string_view(argv_[1]) == "--describe") {  // for the build and the tests; not in --help
+    const std::string text = description(app_, argv_[2]);
+    if (text.empty()) throw wrong_usage("--describe", "takes json, bash, zsh or fish");
+    std::cout << text << std::flush;
+    throw CLI::Success();
+  }
   app_.parse(argc_, argv_);
   if (quiet_ && verbose_) throw wrong_usage("--verbose", "excludes --quiet");
 }
@@ -51,7 +80,7 @@ int run_tool(const std::string& name, int argc, char** argv, const std::function
     if (!std::cout.flush())
       throw Error(ErrorCode::write_failed, "standard output", "cannot be written", "free some space");
     code = result;
-  } catch (const CLI::Success& request) {  // --help and --version
+  } catch (const CLI::Success& request) {  // --help, --version, --describe
     return tool.options().exit(request);
   } catch (const CLI::ParseError& error) {
     tool.report_error(std::string(error.what()) + "; see " + name + " --help");

@@ -20,13 +20,14 @@ class Tool {
   /// The command line, for the options of this tool.
   CLI::App& options() { return app_; }
 
-  /// Adds --json, --quiet, --verbose, --version and --help, then reads the command line into the variables the options
+  /// Adds --untrusted, --json, --quiet, --verbose, --version and --help, then reads the command line into the variables the options
   /// were bound to. Throws CLI::ParseError.
   void parse();
 
   bool json() const { return json_; }
   bool quiet() const { return quiet_; }
   bool verbose() const { return verbose_; }
+  bool untrusted() const { return untrusted_; }
 
   /// `name: warning: text` on stderr for each, unless --quiet.
   void warn(std::span<const std::string> warnings) const;
@@ -45,7 +46,7 @@ class Tool {
   CLI::App app_;
   int argc_;
   char** argv_;
-  bool json_ = false, quiet_ = false, verbose_ = false;
+  bool json_ = false, quiet_ = false, verbose_ = false, untrusted_ = false;
 };
 
 /// Runs `body`, which adds its options, parses, does the work and prints. An exception becomes one line on stderr.

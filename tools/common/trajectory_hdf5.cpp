@@ -9,12 +9,25 @@
 
 #include "uhas/base/errors.hpp"
 #include "uhas/base/file_replacement.hpp"
+#include "uhas/profile_io/hdf5_bounds.hpp"
 
 namespace uhas::tools {
 namespace {
 
 constexpr const char* kFormat = "uhas-trajectory";
 constexpr hsize_t kBlock = 1024;  // frames held in memory at a time
+constexpr hsize_t kMaxJoints = 1000;
+constexpr std::size_t kMaxNameBytes = 1000;
+
+// What h5py and MATLAB write of a trajectory, and no more.
+constexpr Hdf5Bounds kBounds{.kind = "a trajectory",
+                                     .refusal = ErrorCode::syntax,
+                                     .refusal_remedy = "store plain numbers and names",
+                                     .bound_remedy = "cut it into parts",
+                                     .max_rows = 1u << 28,
+                                     .max_bytes = (std::uint64_t{1} << 32) - 1,
+                                     .allow_variable_text = true,
+                                     .allow_shuffle = true};
 
 /// An HDF5 identifier that closes itself.
 class Handle {
@@ -61,6 +74,9 @@ std::vector<std::string> read_names(hid_t file, const std::string& path) {
     throw wrong(path, "has no dataset joint_names, a list of names",
                 "store the names in the order of the columns of q");
   const std::size_t count = extents_of(dataset.id())[0];
+  if (count > kMaxJoints || (H5Tis_variable_str(type.id()) <= 0 && H5Tget_size(type.id()) > kMaxNameBytes))
+    throw Error(ErrorCode::limit_exceeded, path, "joint_names holds more or longer names than a hand has",
+                "name the joints of one hand");
   std::vector<std::string> names(count);
   bool read = true;
   if (H5Tis_variable_str(type.id()) > 0) {
@@ -268,6 +284,7 @@ void silence_hdf5() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
 }  // namespace
 
 std::unique_ptr<TrajectoryReader> open_hdf5_trajectory(const std::string& path) {
+  check_hdf5_bounds(path, kBounds);
   silence_hdf5();
   Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   if (!file.valid())

@@ -14,6 +14,7 @@
 #include "uhas/anatomy/palm_plane.hpp"
 #include "uhas/anatomy/palm_slab_detail.hpp"
 #include "uhas/anatomy/palm_tree_detail.hpp"
+#include "uhas/base/errors.hpp"
 #include "uhas/runtime/forward_kinematics.hpp"
 
 namespace uhas {
@@ -142,7 +143,13 @@ class AnatomyInference {
     for (const FingerAnatomy& finger : anatomy_.fingers) {
       flexions_.push_back(find_flexion(anatomy_, finger));
       center += flexion_origin(anatomy_, finger, flexions_.back()) / static_cast<double>(count());
-      mean_length_ += finger_length(anatomy_, finger) / static_cast<double>(count());
+      const double length = finger_length(anatomy_, finger);
+      if (!(length > 0))
+        throw Error(ErrorCode::invalid_hand, "",
+                    "the finger of joint '" + anatomy_.tree.joints[finger.joints.back()].name +
+                        "' has no length: its tip lies on its joints",
+                    "give its last link geometry, or name the joints of each finger by \"fingers\" in a hand config");
+      mean_length_ += length / static_cast<double>(count());
     }
     zero_is_straight_ = are_straight_at_zero();
     for (std::size_t i = 0; i < count(); ++i)

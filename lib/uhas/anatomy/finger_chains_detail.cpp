@@ -17,6 +17,8 @@ constexpr double kShortestFinger = 0.35;
 constexpr double kShortestFollower = 0.6;
 /// A last joint that carries less than this part of its finger's length is no phalanx.
 constexpr double kShortestPhalanx = 0.05;
+/// Far more than any hand has; the inference compares fingers with each other.
+constexpr std::size_t kMaxFingers = 20;
 
 /// Lengths and branching of the model's tree of joints. Every length is independent of the pose.
 class Branches {
@@ -187,6 +189,10 @@ FingerChains find_finger_chains(const HandModel& model, const HandConfig& config
                 found.chains.empty() ? "no movable joint carries a finger" : "only one finger was found",
                 "a hand needs two or more chains of movable joints on one palm; name the palm with \"palm_link\" in a "
                 "hand config");
+  if (found.chains.size() > kMaxFingers)
+    throw Error(ErrorCode::invalid_hand, "",
+                std::to_string(found.chains.size()) + " chains of movable joints hang on one palm, too many for fingers",
+                "name the joints of each finger by \"fingers\" in a hand config");
   std::sort(found.chains.begin(), found.chains.end());
   if (!config.palm_link) found.palm_link = find_palm_link(model, found);
   return found;

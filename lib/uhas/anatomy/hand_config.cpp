@@ -231,15 +231,15 @@ HandConfig parse_hand_config(const std::string& text, const std::string& file) {
   json document;
   try {
     document = json::parse(text, [&file](int depth, json::parse_event_t, const json&) {
-      if (depth > kMaxDepth) throw Error(ErrorCode::syntax, file, "nested too deeply for a hand config", "");
+      if (depth > kMaxDepth) throw Error(ErrorCode::syntax, file, "nested too deeply for a hand config", "use fewer levels");
       return true;
     });
   } catch (const json::parse_error& error) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
     const auto line = 1 + std::count(text.begin(), end, '\n');
-    throw Error(ErrorCode::syntax, file + ":" + std::to_string(line), "not valid JSON", "");
+    throw Error(ErrorCode::syntax, file + ":" + std::to_string(line), "not valid JSON", "correct the syntax");
   } catch (const json::exception&) {
-    throw Error(ErrorCode::invalid_config, file, "a number is beyond the range of double", "");
+    throw Error(ErrorCode::invalid_config, file, "a number is beyond the range of double", "correct it");
   }
   return ConfigReader(document, file).read();
 }

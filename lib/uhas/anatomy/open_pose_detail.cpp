@@ -154,7 +154,7 @@ class OpenPoseSearch {
         set_joint(anatomy_.tree, variable, best, q);
       }
       const double before = std::exchange(value, openness(group, q));
-      if (value <= before + kGain) return value;
+      if (!(value > before + kGain)) return value;
     }
   }
 

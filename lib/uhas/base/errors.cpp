@@ -24,7 +24,7 @@ const char* to_string(Status status) noexcept {
     case Status::invalid_driving_vectors: return "driving-vector angles must increase strictly within (0, pi)";
     case Status::unknown_hand: return "a row is for a hand that the batch solver does not have";
     case Status::invalid_period: return "the control period must be a positive finite number of seconds";
-    case Status::invalid_radial_bounds: return "radial bounds must be lower <= 0 <= upper";
+    case Status::invalid_radial_bounds: return "radial bounds must be -1e6 <= lower <= 0 <= upper <= 1e6";
   }
   return "unknown status";
 }

@@ -20,7 +20,7 @@ Error unreadable(const std::string& path, const std::string& problem) {
 
 }  // namespace
 
-std::vector<std::byte> read_file(const std::string& path, std::uint64_t max_bytes) {
+std::vector<std::byte> read_file(const std::string& path, std::uint64_t max_bytes, const std::string& remedy) {
   // without O_NONBLOCK, opening a pipe would wait for a writer
   const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (!file.is_open() && errno == ENOENT)
@@ -33,7 +33,7 @@ std::vector<std::byte> read_file(const std::string& path, std::uint64_t max_byte
   if (size > max_bytes)
     throw Error(ErrorCode::limit_exceeded, path,
                 "has " + std::to_string(size) + " bytes, more than the bound of " + std::to_string(max_bytes),
-                "make sure that it is the right file");
+                remedy);
 
   std::vector<std::byte> bytes(size);
   std::size_t filled = 0;

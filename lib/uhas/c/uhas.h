@@ -48,7 +48,7 @@ typedef enum uhas_status {
   UHAS_INVALID_DRIVING_VECTORS = 3, /* driving-vector angles not strictly increasing in (0, pi) */
   UHAS_UNKNOWN_HAND = 4,            /* a row for a hand that the solver does not have */
   UHAS_INVALID_PERIOD = 5,          /* a control period that is not a positive finite number */
-  UHAS_INVALID_RADIAL_BOUNDS = 6    /* radial bounds that are not lower <= 0 <= upper */
+  UHAS_INVALID_RADIAL_BOUNDS = 6    /* radial bounds that are not -1e6 <= lower <= 0 <= upper <= 1e6 */
 } uhas_status;
 
 /* A short English sentence; never NULL. */
@@ -90,7 +90,7 @@ typedef struct uhas_action_options {
   const double* driving_vectors_phi;  /* [V] or [5 V] polar angles; NULL = pi j / (V + 1) */
   size_t driving_vectors_size;
   const double* azimuth_offsets;      /* [5] rad: a slot's plane stands this much further; NULL = 0 */
-  const double* radial_bounds;        /* [2] lower <= 0 <= upper; NULL = those of the convention */
+  const double* radial_bounds;        /* [2] -1e6 <= lower <= 0 <= upper <= 1e6; NULL = those of the convention */
 } uhas_action_options;
 #define UHAS_ACTION_OPTIONS_INIT {sizeof(uhas_action_options), 0, NULL, 0, NULL, NULL}
 

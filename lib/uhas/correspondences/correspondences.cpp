@@ -80,7 +80,7 @@ Correspondences project_sphere_samples(const HandModel& model, const Anatomy& an
   check(options);
   const std::vector<PosedMesh> posed = pose_meshes(model, anatomy, frame, q_sphere);
   if (std::ranges::all_of(posed, [](const PosedMesh& link) { return link.mesh->triangles.empty(); }))
-    throw Error(ErrorCode::invalid_hand, anatomy.hand, "no link of the hand has a mesh",
+    throw Error(ErrorCode::invalid_hand, "", "no link of the hand has a mesh",
                 "add <visual> or <collision> geometry to its links");
   const RayCaster caster(posed);
   std::vector<double> outward;  // one a link: +1, or -1 when the triangles of its mesh show their back to the outside

@@ -9,6 +9,7 @@
 #include "uhas/base/errors.hpp"
 #include "uhas/base/file_bytes.hpp"
 #include "uhas/model/link_order_detail.hpp"
+#include "uhas/model/mesh_folders_detail.hpp"
 #include "uhas/model/mesh_path_detail.hpp"
 #include "uhas/model/mesh_reader_detail.hpp"
 #include "uhas/model/primitives_detail.hpp"
@@ -61,6 +62,7 @@ class GeometryLoader {
       : urdf_file_(std::move(urdf_file)),
         skeleton_(skeleton),
         options_(options),
+        folders_(urdf_file_, options),
         sources_(sources),
         warnings_(warnings) {}
 
@@ -104,7 +106,7 @@ class GeometryLoader {
       if (++triangle_count_ > options_.max_triangles)
         throw Error(ErrorCode::limit_exceeded, urdf_file_,
                     "the meshes have more triangles than the bound of " + std::to_string(options_.max_triangles),
-                    "simplify them or raise the bound");
+                    "simplify them or raise it by --max-triangles");
       for (std::uint32_t& vertex : triangle) {
         std::uint32_t& index = index_in_result[vertex];
         if (index == unused) {
@@ -123,7 +125,8 @@ class GeometryLoader {
         detail::find_mesh(shape.mesh_reference, fs::path(urdf_file_).parent_path(), options_.packages, urdf_file_);
     const auto [entry, is_new] = meshes_.try_emplace(path.lexically_normal());
     if (is_new) {
-      entry->second = detail::read_mesh(path, shape.mesh_reference, options_, sources_);
+      folders_.require(path, shape.mesh_reference);
+      entry->second = detail::read_mesh(path, shape.mesh_reference, options_, folders_, sources_);
       warn_about_units(shape, extent(entry->second, shape.mesh_scale));
     }
     return entry->second;
@@ -143,6 +146,7 @@ class GeometryLoader {
   std::string urdf_file_;
   double skeleton_;
   const LoadOptions& options_;
+  detail::MeshFolders folders_;
   detail::SourceLog& sources_;
   std::vector<std::string>& warnings_;
   std::map<fs::path, TriangleMesh> meshes_;
@@ -194,6 +198,11 @@ HandModel load_hand_model(const std::string& urdf_path, const LoadOptions& optio
   const std::vector<std::byte> bytes = read_file(urdf_path, options.max_urdf_bytes);
   const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   const detail::Urdf urdf = detail::read_urdf(text, urdf_path);
+  if (urdf.links.size() > options.max_links)
+    throw Error(ErrorCode::limit_exceeded, urdf_path,
+                "has " + std::to_string(urdf.links.size()) + " links, more than the bound of " +
+                    std::to_string(options.max_links),
+                "cut the hand out of its robot");
   const std::vector<detail::OrderedLink> order = detail::order_links(urdf, urdf_path);
 
   HandModel model;

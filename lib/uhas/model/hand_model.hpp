@@ -49,8 +49,17 @@ struct LoadOptions {
   GeometrySource geometry = GeometrySource::visual;
   std::vector<PackageFolder> packages;  ///< searched before the folders of ROS_PACKAGE_PATH and those above the URDF
   bool load_meshes = true;              ///< false: skeleton only
+
+  /// Meshes are read only below the folder of the model (the nearest one above the URDF with a package.xml, else the one that
+  /// holds the URDF's folder), below `packages` and below the folders of ROS_PACKAGE_PATH, symbolic links followed; true: anywhere.
+  bool allow_outside = false;
+
+  /// Each mesh file is read in a child process under the default ChildLimits, for files that may bring a mesh library down.
+  bool untrusted = false;
+
   std::uint64_t max_urdf_bytes = 16u << 20;
-  std::uint64_t max_mesh_bytes = 512u << 20;
+  std::size_t max_links = 2000;
+  std::uint64_t max_mesh_bytes = 512u << 20;  ///< of each file
   std::uint64_t max_triangles = 20'000'000;  ///< over the whole hand
 };
 

@@ -21,11 +21,7 @@ std::vector<fs::path> package_candidates(const std::string& name, const fs::path
     if (folder.filename() == name) candidates.push_back(folder);
     candidates.push_back(folder / name);
   };
-  if (const char* ros_package_path = std::getenv("ROS_PACKAGE_PATH")) {
-    std::istringstream folders(ros_package_path);
-    for (std::string folder; std::getline(folders, folder, ':');)
-      if (!folder.empty()) add_folder_and_content(folder);
-  }
+  for (const fs::path& folder : ros_package_path()) add_folder_and_content(folder);
   for (fs::path folder = (fs::current_path() / urdf_folder).lexically_normal(); folder != folder.root_path();
        folder = folder.parent_path())
     add_folder_and_content(folder);
@@ -33,6 +29,16 @@ std::vector<fs::path> package_candidates(const std::string& name, const fs::path
 }
 
 }  // namespace
+
+std::vector<fs::path> ros_package_path() {
+  std::vector<fs::path> result;
+  if (const char* variable = std::getenv("ROS_PACKAGE_PATH")) {
+    std::istringstream folders(variable);
+    for (std::string folder; std::getline(folders, folder, ':');)
+      if (!folder.empty()) result.emplace_back(folder);
+  }
+  return result;
+}
 
 fs::path find_mesh(const std::string& reference, const fs::path& urdf_folder,
                    const std::vector<PackageFolder>& packages, const std::string& urdf_file) {

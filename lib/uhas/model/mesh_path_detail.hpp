@@ -9,6 +9,9 @@
 
 namespace uhas::detail {
 
+/// The folders of the environment variable ROS_PACKAGE_PATH, in order.
+std::vector<std::filesystem::path> ros_package_path();
+
 /// Finds the file behind `reference`: a path relative to `urdf_folder`, an absolute path, file://PATH, or
 /// package://NAME/PATH. A package is looked for in `packages`, then in the folders of the environment variable
 /// ROS_PACKAGE_PATH, then as a folder NAME in `urdf_folder` or any folder above it.

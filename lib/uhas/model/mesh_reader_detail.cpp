@@ -16,9 +16,11 @@
 #include <sstream>
 #include <string_view>
 
+#include "uhas/base/child_process.hpp"
 #include "uhas/base/errors.hpp"
 #include "uhas/base/file_bytes.hpp"
 #include "uhas/model/gltf_bounds_detail.hpp"
+#include "uhas/model/mesh_bytes_detail.hpp"
 #include "uhas/model/ply_reader_detail.hpp"
 #include "uhas/model/xml_bounds_detail.hpp"
 
@@ -41,8 +43,8 @@ std::string lower_case_extension(const fs::path& path) {
 // not exist, so that they are neither needed nor read.
 class MeshFiles : public Assimp::IOSystem {
  public:
-  MeshFiles(fs::path mesh, std::string reference, const LoadOptions& options, SourceLog& sources)
-      : mesh_(std::move(mesh)), reference_(std::move(reference)), options_(options), sources_(sources) {}
+  MeshFiles(fs::path mesh, std::string reference, const LoadOptions& options, const MeshFolders& folders, SourceLog& sources)
+      : mesh_(std::move(mesh)), reference_(std::move(reference)), options_(options), folders_(folders), sources_(sources) {}
 
   const std::vector<std::byte>& mesh_bytes() { return content(mesh_); }
 
@@ -60,13 +62,14 @@ class MeshFiles : public Assimp::IOSystem {
 
  private:
   bool allowed(const fs::path& file) const {
-    return file == mesh_ || (lower_case_extension(mesh_) == "gltf" && lower_case_extension(file) == "bin");
+    return file == mesh_ ||
+           (lower_case_extension(mesh_) == "gltf" && lower_case_extension(file) == "bin" && folders_.hold(file));
   }
 
   const std::vector<std::byte>& content(const fs::path& file) {
     const auto [entry, is_new] = contents_.try_emplace(file);
     if (is_new) {
-      entry->second = read_file(file, options_.max_mesh_bytes);
+      entry->second = read_file(file, options_.max_mesh_bytes, "simplify the mesh or raise the bound by --max-mesh-bytes");
       const fs::path beside = fs::path(reference_).parent_path() / file.lexically_relative(mesh_.parent_path());
       sources_.add(file, file == mesh_ ? reference_ : beside.generic_string(), entry->second);
     }
@@ -76,6 +79,7 @@ class MeshFiles : public Assimp::IOSystem {
   fs::path mesh_;
   std::string reference_;
   const LoadOptions& options_;
+  const MeshFolders& folders_;
   SourceLog& sources_;
   std::map<fs::path, std::vector<std::byte>> contents_;
 };
@@ -146,7 +150,7 @@ class SceneFlattener {
         mesh_.vertices.size() + part.mNumVertices > 3 * max_triangles_)
       throw Error(ErrorCode::limit_exceeded, file_,
                   "the mesh has more triangles than the bound of " + std::to_string(max_triangles_) + " for a hand",
-                  "simplify it or raise the bound");
+                  "simplify it or raise it by --max-triangles");
     const auto first = static_cast<std::uint32_t>(mesh_.vertices.size());
     for (unsigned v = 0; v < part.mNumVertices; ++v) {
       const aiVector3D& p = part.mVertices[v];
@@ -187,16 +191,14 @@ TriangleMesh read_with_assimp(const fs::path& path, const std::string& extension
   return SceneFlattener(*scene, path, max_triangles).flatten();
 }
 
-}  // namespace
-
-TriangleMesh read_mesh(const fs::path& path, const std::string& reference, const LoadOptions& options,
-                       SourceLog& sources) {
+TriangleMesh read_mesh_here(const fs::path& path, const std::string& reference, const LoadOptions& options,
+                            const MeshFolders& folders, SourceLog& sources) {
   const std::string extension = lower_case_extension(path);
   if (std::ranges::find(known_extensions, extension) == known_extensions.end())
     throw Error(ErrorCode::invalid_mesh, path, "meshes of the type '." + extension + "' cannot be read",
                 "convert it to STL, OBJ, DAE, PLY, GLB or glTF");
 
-  auto files = std::make_unique<MeshFiles>(path, reference, options, sources);
+  auto files = std::make_unique<MeshFiles>(path, reference, options, folders, sources);
   const std::vector<std::byte>& bytes = files->mesh_bytes();
   if (bytes.empty()) throw Error(ErrorCode::invalid_mesh, path, "the mesh file is empty", "export the mesh again");
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
@@ -207,6 +209,20 @@ TriangleMesh read_mesh(const fs::path& path, const std::string& reference, const
   if (mesh.triangles.empty())
     throw Error(ErrorCode::invalid_mesh, path, "the mesh has no triangle", "export the mesh again");
   return mesh;
+}
+
+}  // namespace
+
+TriangleMesh read_mesh(const fs::path& path, const std::string& reference, const LoadOptions& options,
+                       const MeshFolders& folders, SourceLog& sources) {
+  if (!options.untrusted) return read_mesh_here(path, reference, options, folders, sources);
+  const std::vector<std::byte> bytes = in_child({}, ErrorCode::invalid_mesh, path, [&] {
+    TriangleMesh mesh = read_mesh_here(path, reference, options, folders, sources);
+    return to_bytes({std::move(mesh), sources.files()});
+  });
+  ReadMesh read = read_mesh_from_bytes(bytes, path);
+  sources.replace(std::move(read.sources));
+  return std::move(read.mesh);
 }
 
 }  // namespace uhas::detail

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "uhas/model/hand_model.hpp"
+#include "uhas/model/mesh_folders_detail.hpp"
 #include "uhas/model/source_file_detail.hpp"
 
 namespace uhas::detail {
@@ -19,8 +20,9 @@ namespace uhas::detail {
 ///
 /// Every file read is added to `sources`. Faces that are not triangles after triangulation (lines, points) are skipped.
 /// @param reference  how the URDF names the file
+/// @param folders    where the buffers of a glTF file may be; where the file itself may be is for the caller to ask
 /// Throws Error: file_unreadable, limit_exceeded, invalid_mesh.
 TriangleMesh read_mesh(const std::filesystem::path& path, const std::string& reference, const LoadOptions& options,
-                       SourceLog& sources);
+                       const MeshFolders& folders, SourceLog& sources);
 
 }  // namespace uhas::detail

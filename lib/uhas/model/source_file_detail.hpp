@@ -24,6 +24,9 @@ class SourceLog {
 
   const std::vector<SourceFile>& files() const { return files_; }
 
+  /// The log that a child process has kept on, instead.
+  void replace(std::vector<SourceFile> files) { files_ = std::move(files); }
+
  private:
   std::filesystem::path urdf_folder_;
   std::vector<SourceFile> files_;

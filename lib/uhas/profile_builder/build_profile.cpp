@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include "uhas/base/errors.hpp"
 #include "uhas/base/spherical.hpp"
 #include "uhas/classification/closed_pose_finding.hpp"
 #include "uhas/profile_builder/settings_json.hpp"
@@ -49,7 +50,13 @@ ProfileFinger profile_finger(const BuildStages& stages, int index) {
 BuildStages run_stages(const std::string& urdf_path, const BuildSettings& settings, Stage last,
                        const StageListener& listener) {
   if (listener) listener("reading the URDF and its meshes");
-  return run_stages(load_hand_model(urdf_path, settings.load), settings, last, listener);
+  HandModel model = load_hand_model(urdf_path, settings.load);
+  try {
+    return run_stages(std::move(model), settings, last, listener);
+  } catch (const Error& error) {  // the stages know no file; what is wrong with the hand is wrong with this one
+    if (error.code() != ErrorCode::invalid_hand) throw;
+    throw Error(error.code(), urdf_path, error.what(), "");
+  }
 }
 
 BuildStages run_stages(HandModel model, const BuildSettings& settings, Stage last, const StageListener& listener) {

@@ -5,19 +5,16 @@
 #include <vector>
 
 #include "uhas/profile_io/hdf5_detail.hpp"
-#include "uhas/profile_io/profile_error_detail.hpp"
 
 namespace uhas::detail {
 namespace {
 
 constexpr int max_depth = 4;       // of nested groups; the format has two levels
 constexpr int max_objects = 2000;  // groups, datasets and attributes; the format has about 140
-constexpr std::uint64_t max_rows = 1u << 20;
-constexpr std::uint64_t max_bytes = 256u << 20;  // of all values together, unpacked
 
 class Screening {
  public:
-  explicit Screening(const std::string& path) : path_(path) {}
+  Screening(const std::string& path, const Hdf5Bounds& bounds) : path_(path), bounds_(bounds) {}
 
   void visit_group(hid_t group, const std::string& name, int depth) {
     visit_attributes(group, name);
@@ -69,15 +66,16 @@ class Screening {
 
   void check_values(hid_t type, hid_t space, const std::string& name) {
     const H5T_class_t kind = H5Tget_class(type);
-    const bool is_plain = kind == H5T_INTEGER || kind == H5T_FLOAT || (kind == H5T_STRING && !H5Tis_variable_str(type));
+    const bool is_plain = kind == H5T_INTEGER || kind == H5T_FLOAT ||
+                          (kind == H5T_STRING && (bounds_.allow_variable_text || !H5Tis_variable_str(type)));
     if (!is_plain) refuse(name, "is neither of numbers nor of fixed-length strings");
 
     std::array<hsize_t, H5S_MAX_RANK> extents{};
     const int rank = H5Sget_simple_extent_ndims(space);
     if (rank < 0 || H5Sget_simple_extent_type(space) == H5S_NULL) refuse(name, "has no values");
     H5Sget_simple_extent_dims(space, extents.data(), nullptr);
-    if (rank > 0 && extents[0] > max_rows) exceed(name, "has more rows than a hand profile can have");
-    count_bytes(name, H5Tget_size(type), extents.data(), rank);
+    if (rank > 0 && extents[0] > bounds_.max_rows) exceed(name, "has more rows than", "have");
+    count_bytes(name, H5Tget_size(type), extents.data(), rank, bounds_.max_bytes);
   }
 
   void check_storage(hid_t dataset, std::size_t value_bytes, const std::string& name) {
@@ -89,14 +87,15 @@ class Screening {
     for (int i = 0; i < H5Pget_nfilters(creation.id()); ++i) {
       unsigned flags = 0;
       std::size_t parameters = 0;
-      if (H5Pget_filter2(creation.id(), static_cast<unsigned>(i), &flags, &parameters, nullptr, 0, nullptr, nullptr) !=
-          H5Z_FILTER_DEFLATE)
+      const H5Z_filter_t filter =
+          H5Pget_filter2(creation.id(), static_cast<unsigned>(i), &flags, &parameters, nullptr, 0, nullptr, nullptr);
+      if (filter != H5Z_FILTER_DEFLATE && !(bounds_.allow_shuffle && filter == H5Z_FILTER_SHUFFLE))
         refuse(name, "is packed by a filter other than deflate");
     }
-    if (layout == H5D_CHUNKED) {  // a chunk is unpacked whole, however little of it the dataset covers
+    if (layout == H5D_CHUNKED) {  // however little of the chunk the dataset covers
       std::array<hsize_t, H5S_MAX_RANK> chunk{};
       const int rank = H5Pget_chunk(creation.id(), H5S_MAX_RANK, chunk.data());
-      count_bytes(name, value_bytes, chunk.data(), rank);
+      count_bytes(name, value_bytes, chunk.data(), rank, bounds_.max_chunk_bytes);
     }
   }
 
@@ -109,37 +108,47 @@ class Screening {
   }
 
   void count_object(const std::string& name) {
-    if (++objects_ > max_objects) exceed(name, "is one object more than a hand profile can have");
+    if (++objects_ > max_objects) exceed(name, "is one object more than", "have");
   }
 
-  void count_bytes(const std::string& name, std::size_t value_bytes, const hsize_t* extents, int rank) {
+  void count_bytes(const std::string& name, std::size_t value_bytes, const hsize_t* extents, int rank, std::uint64_t most) {
     std::uint64_t bytes = value_bytes;
     for (int i = 0; i < rank; ++i) {
-      if (extents[i] > max_bytes || bytes > max_bytes) exceed(name, "is larger than a hand profile can be");
-      bytes *= extents[i];  // both below 2^29
+      if (extents[i] > most || bytes > most) exceed(name, "is larger than", "be");
+      bytes *= extents[i];  // both below 2^32
     }
-    if (bytes > max_bytes || bytes_ + bytes > max_bytes) exceed(name, "is larger than a hand profile can be");
+    if (bytes > most || bytes_ + bytes > bounds_.max_bytes) exceed(name, "is larger than", "be");
     bytes_ += bytes;
   }
 
   [[noreturn]] void refuse(const std::string& name, const std::string& problem) const {
-    throw profile_error(path_, name + " " + problem);
+    throw Error(bounds_.refusal, path_, name + " " + problem, bounds_.refusal_remedy);
   }
-  [[noreturn]] void exceed(const std::string& name, const std::string& problem) const {
-    throw Error(ErrorCode::limit_exceeded, path_, name + " " + problem, "build it with fewer samples");
+  [[noreturn]] void exceed(const std::string& name, const std::string& more_than, const std::string& verb) const {
+    throw Error(ErrorCode::limit_exceeded, path_, name + " " + more_than + " " + bounds_.kind + " can " + verb,
+                bounds_.bound_remedy);
   }
 
   const std::string& path_;
+  const Hdf5Bounds& bounds_;
   int objects_ = 0;
   std::uint64_t bytes_ = 0;
 };
 
 }  // namespace
 
-void screen_hdf5_file(hid_t file, const std::string& path) {
+void screen_hdf5_file(hid_t file, const std::string& path, const Hdf5Bounds& bounds) {
   const Handle root(H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose);
-  if (!root.valid()) throw profile_error(path, "the file has no root group");
-  Screening(path).visit_group(root.id(), "/", 0);
+  if (!root.valid()) throw Error(bounds.refusal, path, "the file has no root group", bounds.refusal_remedy);
+  Screening(path, bounds).visit_group(root.id(), "/", 0);
 }
 
 }  // namespace uhas::detail
+
+void uhas::check_hdf5_bounds(const std::string& path, const Hdf5Bounds& bounds) {
+  const detail::Hdf5Session session;
+  const detail::Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  if (!file.valid())
+    throw Error(ErrorCode::file_unreadable, path, "cannot be opened as HDF5", "check the path and what wrote the file");
+  detail::screen_hdf5_file(file.id(), path, bounds);
+}

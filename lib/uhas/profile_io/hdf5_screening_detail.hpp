@@ -5,12 +5,11 @@
 
 #include <string>
 
+#include "uhas/profile_io/hdf5_bounds.hpp"
+
 namespace uhas::detail {
 
-/// Refuses links that are not hard links, objects that are neither groups nor datasets, types other than integers,
-/// floating-point numbers and fixed-length strings, external and virtual storage, filters other than deflate, and more
-/// objects, rows or bytes than a hand profile can need. Attributes are held to the same rules.
-/// Throws Error: invalid_profile, limit_exceeded.
-void screen_hdf5_file(hid_t file, const std::string& path);
+/// Throws Error: as `check_hdf5_bounds`.
+void screen_hdf5_file(hid_t file, const std::string& path, const Hdf5Bounds& bounds = {});
 
 }  // namespace uhas::detail

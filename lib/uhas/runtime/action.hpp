@@ -30,7 +30,7 @@ struct Action {
   bool normalized = false;                      ///< values in [-1, 1]: 0 maps to 0, -1 and 1 to the bounds, linear between
   std::span<const Real> azimuth_offsets{};      ///< [5] rad: a slot's plane stands this much further in canonical azimuth. Its
                                                 ///< finger turns along, within the bounds of d_theta; empty = 0
-  std::span<const Real> radial_bounds{};        ///< [2] lower <= 0 <= upper, in place of the convention's; empty = those
+  std::span<const Real> radial_bounds{};        ///< [2] -1e6 <= lower <= 0 <= upper <= 1e6, in place of the convention's; empty = those
 };
 
 }  // namespace uhas

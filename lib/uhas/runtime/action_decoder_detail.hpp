@@ -12,6 +12,9 @@
 
 namespace uhas {
 
+/// Radial bounds are at most so far from 0: squares of what follows from them stay finite in float.
+inline constexpr double kMostRadialBound = 1e6;
+
 /// The numbers of an action that has passed `ActionDecoder::check`, one action a lane.
 template <class Num>
 struct ActionNumbers {
@@ -81,7 +84,9 @@ class ActionDecoder {
     if (bounds.empty()) return Status::ok;
     if (bounds.size() != 2) return Status::wrong_size;
     if (!std::isfinite(bounds[0]) || !std::isfinite(bounds[1])) return Status::non_finite_input;
-    return bounds[0] <= Real(0) && bounds[1] >= Real(0) ? Status::ok : Status::invalid_radial_bounds;
+    constexpr Real most(kMostRadialBound);
+    const bool sound = bounds[0] >= -most && bounds[0] <= Real(0) && bounds[1] >= Real(0) && bounds[1] <= most;
+    return sound ? Status::ok : Status::invalid_radial_bounds;
   }
 
   /// The same for driving angles alone.

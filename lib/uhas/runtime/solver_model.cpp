@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "uhas/base/spherical.hpp"
+#include "uhas/runtime/action_decoder_detail.hpp"
 #include "uhas/runtime/axis_frame_detail.hpp"
 #include "uhas/runtime/cascade_lead_detail.hpp"
 
@@ -310,7 +311,8 @@ std::shared_ptr<const SolverModel<Real>> compile_solver_model(const HandProfile&
     throw Error(ErrorCode::invalid_action, "", "passes is " + std::to_string(options.passes), "choose a number from 1 to 100");
   const ActionConvention& convention = options.convention;
   const auto bounded = [](double low, double x, double high) { return x >= low && x <= high; };
-  if (std::abs(convention.azimuth_sign) != 1 || !bounded(-1e6, convention.radial_lower, 0) || !bounded(0, convention.radial_upper, 1e6))
+  if (std::abs(convention.azimuth_sign) != 1 || !bounded(-kMostRadialBound, convention.radial_lower, 0) ||
+      !bounded(0, convention.radial_upper, kMostRadialBound))
     throw Error(ErrorCode::invalid_action, "", "the action convention has an azimuth sign or radial bounds out of range",
                 "choose a sign of 1 or -1 and bounds lower <= 0 <= upper");
   validate_profile(profile, "");

@@ -1,3 +1,4 @@
+# stderr: the edited file is refused before it is resealed
 # an edit with h5py breaks the seal, --reseal restores it
 cp profile/allegro_right.h5 hand.h5
 /usr/bin/python3 -c "

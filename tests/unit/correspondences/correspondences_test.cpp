@@ -210,7 +210,7 @@ TEST_CASE("azimuth lies in (-pi, pi]") {
 
 TEST_CASE("a hand without meshes and options without sense are refused") {
   CHECK_THROWS_WITH_AS(project(toy_hand({}, {})),
-                       "toy: no link of the hand has a mesh; add <visual> or <collision> geometry to its links", Error);
+                       "no link of the hand has a mesh; add <visual> or <collision> geometry to its links", Error);
   const ToyHand hand = toy_hand({}, plate(0, 0.02, 0.02));
   CorrespondenceOptions options;
   options.samples = 0;

@@ -95,3 +95,81 @@ TEST_CASE("a symbolic link that leads to itself") {
   std::filesystem::create_symlink(folder.path() / "a.stl", folder.path() / "a.stl");
   check_error([&] { load_with_mesh(folder, "a.stl"); }, ErrorCode::file_unreadable, {"a.stl"});
 }
+
+TEST_CASE("a mesh outside the folder of the model is refused, unless its package is named or all is allowed") {
+  const ScratchFolder folder, elsewhere;
+  unsetenv("ROS_PACKAGE_PATH");
+  const std::string outside = elsewhere.write("meshes/a.stl", ascii_stl());
+  const auto refused = [&](const std::string& reference, const std::string& urdf) {
+    check_error([&] { load_with_mesh(folder, reference, {}, urdf); }, ErrorCode::file_unreadable,
+                {urdf, "the mesh " + reference + " lies outside", "--package", "--allow-outside"});
+  };
+  folder.write("a.stl", ascii_stl());
+  folder.write("model/a.stl", ascii_stl());
+  std::filesystem::create_symlink(outside, folder.file("model/link.stl"));
+  std::filesystem::create_directory_symlink(elsewhere.path(), folder.file("model/linked"));
+
+  // the folder that holds the URDF's folder
+  CHECK(load_with_mesh(folder, "../a.stl", {}, "model/urdf/hand.urdf").links[0].mesh.triangles.size() == 4);
+  refused("../../a.stl", "model/urdf/hand.urdf");
+  refused(outside, "model/urdf/hand.urdf");
+  refused("file://" + outside, "model/urdf/hand.urdf");
+  refused("../link.stl", "model/urdf/hand.urdf");
+  refused("../linked/meshes/a.stl", "model/urdf/hand.urdf");
+  refused("../../model/../a.stl", "model/urdf/hand.urdf");
+  refused("/etc/passwd", "model/urdf/hand.urdf");
+
+  // with a package.xml, its folder and no more
+  refused("../../a.stl", "model/robots/v1/hand.urdf");
+  folder.write("model/package.xml", "<package/>");
+  CHECK(load_with_mesh(folder, "../../a.stl", {}, "model/robots/v1/hand.urdf").links[0].mesh.triangles.size() == 4);
+  refused("../../../a.stl", "model/robots/v1/hand.urdf");
+  folder.write("model/robots/package.xml", "<package/>");
+  refused("../../a.stl", "model/robots/v1/hand.urdf");
+
+  LoadOptions options;
+  options.packages = {{"anything", (elsewhere.path() / "meshes").string()}};
+  CHECK(load_with_mesh(folder, outside, options).links[0].mesh.triangles.size() == 4);
+  CHECK(load_with_mesh(folder, "linked/meshes/a.stl", options, "model/hand.urdf").links[0].mesh.triangles.size() == 4);
+  setenv("ROS_PACKAGE_PATH", elsewhere.path().c_str(), 1);
+  CHECK(load_with_mesh(folder, outside).links[0].mesh.triangles.size() == 4);
+  unsetenv("ROS_PACKAGE_PATH");
+  options = {};
+  options.allow_outside = true;
+  CHECK(load_with_mesh(folder, outside, options).links[0].mesh.triangles.size() == 4);
+}
+
+TEST_CASE("a name that begins like the folder of the model is not in it") {
+  const ScratchFolder folder;
+  folder.write("model-secret/a.stl", ascii_stl());
+  check_error([&] { load_with_mesh(folder, "../../model-secret/a.stl", {}, "model/urdf/hand.urdf"); },
+              ErrorCode::file_unreadable, {"lies outside"});
+}
+
+TEST_CASE("the buffer of a glTF file may not lie outside either") {
+  const ScratchFolder folder;
+  folder.write("model/meshes/a.gltf", gltf(R"("uri":"../../buffer.bin")"));
+  folder.write("buffer.bin", gltf_buffer());
+  check_error([&] { load_with_mesh(folder, "../meshes/a.gltf", {}, "model/urdf/hand.urdf"); }, ErrorCode::invalid_mesh,
+              {"a.gltf"});
+  LoadOptions anywhere;
+  anywhere.allow_outside = true;
+  CHECK(load_with_mesh(folder, "../meshes/a.gltf", anywhere, "model/urdf/hand.urdf").links[0].mesh.triangles.size() == 4);
+}
+
+TEST_CASE("untrusted meshes are the same meshes and sources") {
+  const ScratchFolder folder;
+  folder.write("a.stl", binary_stl());
+  folder.write("b.gltf", gltf(R"("uri":"b.bin")"));
+  folder.write("b.bin", gltf_buffer());
+  const std::string urdf = folder.write("hand.urdf", one_finger(visual(mesh("a.stl")) + visual(mesh("b.gltf"))));
+  LoadOptions untrusted;
+  untrusted.untrusted = true;
+  const HandModel plain = load_hand_model(urdf), fenced = load_hand_model(urdf, untrusted);
+  CHECK(plain.sources.size() == 4);
+  CHECK(fenced.sources == plain.sources);
+  CHECK(fenced.links[0].mesh.triangles == plain.links[0].mesh.triangles);
+  REQUIRE(fenced.links[0].mesh.vertices.size() == plain.links[0].mesh.vertices.size());
+  for (std::size_t i = 0; i < plain.links[0].mesh.vertices.size(); ++i)
+    CHECK(norm(fenced.links[0].mesh.vertices[i] - plain.links[0].mesh.vertices[i]) == 0);
+}

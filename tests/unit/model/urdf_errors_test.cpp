@@ -74,6 +74,15 @@ TEST_CASE("a file above the bound on its size") {
   check_error([&] { load(one_finger(), options); }, ErrorCode::limit_exceeded, {"more than the bound of 10"});
 }
 
+TEST_CASE("more links than any robot has") {
+  std::string links = link("l0");
+  for (int i = 1; i < 20; ++i)
+    links += link("l" + std::to_string(i)) + joint("j" + std::to_string(i), "l0", "l" + std::to_string(i));
+  LoadOptions options;
+  options.max_links = 19;
+  check_error([&] { load(robot(links), options); }, ErrorCode::limit_exceeded, {"20 links, more than the bound of 19"});
+}
+
 TEST_CASE("no movable joint") {
   check_load_error(robot(link("palm")), ErrorCode::invalid_model, {"no movable joint"});
   check_load_error(robot(palm_and_finger + joint("j", "palm", "finger", "", "fixed")), ErrorCode::invalid_model,

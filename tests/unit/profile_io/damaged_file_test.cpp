@@ -98,6 +98,12 @@ TEST_CASE_FIXTURE(Fixture, "what is no readable regular file is refused") {
   check_error(ErrorCode::file_unreadable, "cannot be opened", [&] { read_profile(folder.file("loop.h5")); });
 }
 
+TEST_CASE_FIXTURE(Fixture, "an untrusted file is read, or refused in the same words") {
+  CHECK(read_untrusted_profile(path) == read_profile(path));
+  write_bytes(path, good.substr(0, good.size() - 1));
+  check_error(ErrorCode::invalid_profile, "the file is truncated", [&] { read_untrusted_profile(path); });
+}
+
 TEST_CASE_FIXTURE(Fixture, "a file over the size limit is refused unread") {
   std::filesystem::resize_file(path, (256ull << 20) + 1);  // sparse
   check_error(ErrorCode::limit_exceeded, "268435456", [&] { read_profile(path); });

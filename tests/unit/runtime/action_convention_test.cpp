@@ -121,12 +121,13 @@ TEST_CASE("offsets and bounds that cannot be are refused") {
   CascadeSolver<double> solver(profile);
   std::vector<double> q(5, 77.0);
   const std::vector<double> action(15, 0.1), four(4, 0.0), not_finite{0, 0, NAN, 0, 0}, above{0.1, 0.2},
-      below{-0.2, -0.1}, one{0.0};
+      below{-0.2, -0.1}, far{-1, 1e307}, one{0.0};
   const std::vector<double> infinite{-1, std::numeric_limits<double>::infinity()};
   CHECK(solver.solve({.values = action, .azimuth_offsets = four}, q) == Status::wrong_size);
   CHECK(solver.solve({.values = action, .azimuth_offsets = not_finite}, q) == Status::non_finite_input);
   CHECK(solver.solve({.values = action, .radial_bounds = above}, q) == Status::invalid_radial_bounds);
   CHECK(solver.solve({.values = action, .radial_bounds = below}, q) == Status::invalid_radial_bounds);
+  CHECK(solver.solve({.values = action, .radial_bounds = far}, q) == Status::invalid_radial_bounds);
   CHECK(solver.solve({.values = action, .radial_bounds = one}, q) == Status::wrong_size);
   CHECK(solver.solve({.values = action, .radial_bounds = infinite}, q) == Status::non_finite_input);
   CHECK(q == std::vector<double>(5, 77.0));

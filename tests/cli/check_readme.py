@@ -1,0 +1,101 @@
+#!/usr/bin/env python3
+"""Runs every command of README.md.
+
+    check_readme.py --bin build/dev/bin
+
+Commands with their output, as in `$ uhas-solve …`, must print what the page shows, `...` standing for any lines; commands of the
+tools within a sentence or a table must succeed. The long ones, which build everything, are run by tests/run.sh: that it does is
+checked here. The programs of the page are built and run by the test `install`.
+"""
+
+import argparse
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+import check_man
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests/support"))
+import transcript  # noqa: E402
+
+HAND = ROOT / "hands/allegro_right"
+README = (ROOT / "README.md").read_text()
+
+# commands of the page that build everything, and what tests/run.sh has in their place
+RUN_BY_CI = {
+    "examples/quickstart.sh": "examples/quickstart.sh",
+    "tests/run.sh": "tests/run.sh",
+    "cmake --preset release": "examples/quickstart.sh",
+    "cmake --build --preset release": "examples/quickstart.sh",
+    "cpack --preset release": "cpack --preset release",
+    "cmake --preset runtime-only": "build runtime-only",
+    "cmake --build --preset runtime-only": "build runtime-only",
+    "cmake --install build/runtime-only --prefix DIR": "tests/install/check_install.py build/runtime-only",
+}
+
+
+def transcripts():
+    """[(command, output shown)] of the indented blocks that begin with `$`."""
+    return [(command, re.sub(r"^    ", "", shown, flags=re.M))
+            for command, shown in re.findall(r"^    \$ (.*)\n((?:    .*\n|\n(?=    ))*)", README, re.M)]
+
+
+def inline_commands():
+    """Commands in code spans; one that names nothing but options, as `uhas-solve --avoid`, only speaks of them."""
+    text = re.sub(r"^```.*?^```", "", README, flags=re.M | re.S)
+    spans = [span for span in re.findall(r"`([^`\n]+)`", text) if re.match(r"uhas-\S+ .|man -l|cmake ", span)]
+    return [span for span in spans if not re.fullmatch(r"uhas-\S+( --\S+)+", span)]
+
+
+def script_commands():
+    """Commands of the indented blocks without `$`."""
+    lines = re.findall(r"^    ((?:examples|tests)/\S+)", README, re.M)
+    return [line for line in lines if line.endswith(".sh")]
+
+
+def prepare(folder, environment):
+    """What the page's names stand for."""
+    shutil.copytree(HAND, folder, dirs_exist_ok=True)
+    shutil.copy(HAND / "allegro_right.urdf", folder / "hand.urdf")
+    shutil.copytree(ROOT / "examples", folder / "examples")
+    shutil.copytree(ROOT / "man", folder / "man")
+    actions = json.loads((ROOT / "examples/first_actions.json").read_text())
+    (folder / "actions.json").write_text(json.dumps(actions | {"profile": "hand.h5"}))
+    (folder / "trajectory.jsonl").write_text("".join(json.dumps(line) + "\n" for line in check_man.TRAJECTORY))
+    subprocess.run(["uhas-build-profile", "--quiet", "hand.urdf", "-o", "hand.h5"], check=True, cwd=folder, env=environment)
+    for name in ("a.h5", "b.h5"):
+        shutil.copy(folder / "hand.h5", folder / name)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--bin", required=True, type=pathlib.Path, help="folder of the tools")
+    bin_folder = parser.parse_args().bin.resolve()
+
+    environment = dict(os.environ, PATH=f"{bin_folder}:{os.environ['PATH']}", MANPAGER="cat")
+    ci = (ROOT / "tests/run.sh").read_text()
+    faults, count = [], 0
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        prepare(folder, environment)
+        commands = transcripts() + [(command, "") for span in inline_commands() for command in span.split(" && ")]
+        for command, shown in commands + [(command, "") for command in script_commands()]:
+            count += 1
+            if command in RUN_BY_CI:
+                faults += [] if RUN_BY_CI[command] in ci else [f"'{command}': tests/run.sh does not run it"]
+            else:
+                faults += transcript.run(command, shown, folder, environment)
+    if count < 10:
+        faults.append(f"only {count} commands found in README.md")
+    print("\n".join(faults) if faults else f"{count} commands of README.md run")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,95 @@
+// Whatever work does to its process, the caller gets its bytes or an Error.
+#include <doctest/doctest.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstring>
+#include <fstream>
+#include <numeric>
+#include <stdexcept>
+#include <thread>
+
+#include "support/error_check.hpp"
+#include "support/scratch_folder.hpp"
+#include "uhas/base/child_process.hpp"
+
+using namespace uhas;
+using namespace uhas::test;
+
+namespace {
+
+using Bytes = std::vector<std::byte>;
+
+Bytes run(const std::function<Bytes()>& work, const ChildLimits& limits = {}) {
+  return in_child(limits, ErrorCode::invalid_mesh, "some.file", work);
+}
+
+}  // namespace
+
+TEST_CASE("the bytes come back, few or many") {
+  for (const std::size_t size : {std::size_t{0}, std::size_t{1}, std::size_t{3'000'000}}) {
+    const auto make = [&] {
+      Bytes bytes(size);
+      for (std::size_t i = 0; i < size; ++i) bytes[i] = static_cast<std::byte>(i * i);
+      return bytes;
+    };
+    CHECK(run(make) == make());
+  }
+}
+
+TEST_CASE("what the child does to memory is undone with it") {
+  int number = 1;
+  run([&] {
+    number = 2;
+    return Bytes{};
+  });
+  CHECK(number == 1);
+}
+
+TEST_CASE("an Error keeps its code and words, any other exception its words") {
+  check_error(ErrorCode::unsupported_version, "a.h5: too new; update", [] {
+    run([]() -> Bytes { throw Error(ErrorCode::unsupported_version, "a.h5", "too new", "update"); });
+  });
+  check_error(ErrorCode::invalid_mesh, "of the library", [] { run([]() -> Bytes { throw std::runtime_error("of the library"); }); });
+}
+
+TEST_CASE("a crash is an error that names the file and the cause") {
+  check_error(ErrorCode::invalid_mesh, "some.file: the process that read it was brought down (Segmentation fault)", [] {
+    run([]() -> Bytes {
+      ::signal(SIGSEGV, SIG_DFL);
+      ::raise(SIGSEGV);
+      return {};
+    });
+  });
+  check_error(ErrorCode::invalid_mesh, "some.file: the process that read it was brought down; do not trust the file",
+              [] { run([]() -> Bytes { ::_exit(7); }); });
+}
+
+TEST_CASE("a hang is ended") {
+  const auto start = std::chrono::steady_clock::now();
+  check_error(ErrorCode::limit_exceeded, "some.file: cannot be read within 0 s", [] {
+    run([]() -> Bytes {
+      for (;;) std::this_thread::sleep_for(std::chrono::seconds(1));
+    }, {.max_seconds = 0.2});
+  });
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(20));
+}
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // whose malloc ends the process instead
+TEST_CASE("boundless memory is refused") {
+  check_error(ErrorCode::limit_exceeded, "some.file: cannot be read within 60 s and 64 MiB of memory", [] {
+    run([] { return Bytes(256u << 20); }, {.max_memory_bytes = 64u << 20});
+  });
+}
+#endif
+
+TEST_CASE("the child writes no file") {
+  const ScratchFolder folder;
+  CHECK_THROWS_AS(run([&]() -> Bytes {
+                    std::ofstream(folder.file("a")) << "text" << std::flush;  // ended by SIGXFSZ
+                    return {};
+                  }),
+                  Error);
+  CHECK(read_bytes(folder.file("a")).empty());
+}

@@ -59,7 +59,7 @@ def steep_steps(document, labels):
                 if step["finest_rate"] <= STEEP:
                     continue
                 at = ", ".join(f"{x:.3f}" for x in step["action"])
-                rate = f"jump of {step["jump"]:.3f} rad" if step["jump"] else f"{step['finest_rate']:.0f}"
+                rate = f"jump of {step['jump']:.3f} rad" if step["jump"] else f"{step['finest_rate']:.0f}"
                 lines.append(f"| {label} | {solve['passes']} | {step['joint']} | {rate} | {at} |")
     head = "\n| hand | passes | joint | rad a radius | action |\n|---|---:|---|---:|---|\n"
     worst = "With one pass, the default, there are none." if not any("| 1 |" in line for line in lines) else ""

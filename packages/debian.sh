@@ -8,6 +8,7 @@ uhas_build_packages=(
   libeigen3-dev                                          # axes of a palm's surface
   libmeshoptimizer-dev                                   # meshes for pictures
   libfcl-dev                                             # self-collision
+  libnlopt-dev                                           # the best fit there is, for scores
   clang-14 lld-14 wasi-libc libc++-14-dev-wasm32         # the runtime in web pages
   libc++abi-14-dev-wasm32 libclang-rt-14-dev-wasm32
   libjs-three                                            # drawings in web pages

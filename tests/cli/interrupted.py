@@ -36,28 +36,32 @@ def names(folder):
 
 
 def killed_at_random_moments(folder, good):
-    """kill -9 at moments spread over a build and beyond, on an old file and on none."""
+    """kill -9 at moments spread over a build, on an old file and on none."""
     start = time.monotonic()
     assert finish(build(folder)) == (0, "")
     duration = time.monotonic() - start
     (folder / "hand.h5").unlink()
     seed = 1
     moments = random.Random(seed)
-    killed = 0
-    for i in range(KILLS):
-        old = b"an old profile" if i % 2 else None
+    killed = tried = 0
+    while killed < KILLS:
+        tried += 1
+        assert tried < 10 * KILLS, f"only {killed} of {tried} builds were still running when they were killed"
+        old = b"an old profile" if tried % 2 else None
         if old:
             (folder / "hand.h5").write_bytes(old)
         process = build(folder)
-        time.sleep(moments.uniform(0, 1.1 * duration))
+        time.sleep(moments.uniform(0, duration))
         process.send_signal(signal.SIGKILL)
-        killed += finish(process)[0] == -signal.SIGKILL
+        if finish(process)[0] == -signal.SIGKILL:
+            killed += 1
+        else:
+            duration *= 0.95  # builds have become faster, as on a machine that others have left
         found = (folder / "hand.h5").read_bytes() if (folder / "hand.h5").exists() else None
-        assert found in (old, good), f"kill {i} of seed {seed}: a file that is neither the old nor the new one"
+        assert found in (old, good), f"kill {tried} of seed {seed}: a file that is neither the old nor the new one"
         (folder / "hand.h5").unlink(missing_ok=True)
-    assert killed > KILLS / 2, f"only {killed} builds were still running when they were killed"
     assert finish(build(folder)) == (0, "") and (folder / "hand.h5").read_bytes() == good
-    print(f"ok      kill -9 at {KILLS} moments, {killed} of them within the build")
+    print(f"ok      kill -9 at {KILLS} moments of a build")
 
 
 def two_at_once(folder, good):

@@ -57,6 +57,8 @@ def tool_documents(bin_dir, folder):
         ("command-line", "uhas-inspect", ["--describe", "json"]),
         ("hand-explanation", "uhas-explain-hand", [HAND, "--json", "--write-config", config]),
         ("profile-check", "uhas-inspect", [profile, "--validate", "--check", HAND, "--json"]),
+        ("evaluation", "uhas-evaluate", [profile, profile, "--actions", "20", "--lines", "5", "--json", "--quiet"]),
+        ("evaluation", "uhas-evaluate", [profile, "--actions", "20", "--lines", "5", "--json", "--urdf", HAND]),
         ("sphere-frame", "uhas-sphere-frame", [HAND, "--json"]),
         ("joint-classes", "uhas-classify-joints", [HAND, "--json"]),
         ("lateral-tables", "uhas-lateral-tables", [HAND, "--json"]),
@@ -85,6 +87,10 @@ def tool_documents(bin_dir, folder):
         report = parse(REPORT.search((folder / "page.html").read_text())[1])
         yield "report", label, report
         yield "profile-summary", f"{label}: summary", report["hands"][0]["summary"]
+
+    run("uhas-evaluate", profile, "--actions", "20", "--lines", "5", "--urdf", HAND, "--html", folder / "page.html")
+    evaluation = parse(REPORT.search((folder / "page.html").read_text())[1])["hands"][0]["evaluation"]
+    yield "evaluation", "uhas-evaluate --html: evaluation", evaluation
 
     header, *frames, summary = [parse(line) for line in (folder / "out.jsonl").read_text().splitlines()]
     yield "trajectory", "uhas-retarget -o (lines)", header | summary | {"q": [frame["q"] for frame in frames]}

@@ -28,6 +28,7 @@ ROOMS = {
                         "lateral_tables", "correspondences"],
     "geometry": ["base", "profile", "model"],
     "collision": ["base", "profile", "runtime", "model", "geometry"],
+    "evaluation": ["base", "profile", "runtime", "model", "geometry", "collision"],
     "report": ["base", "profile", "profile_io", "runtime", "model", "geometry"],
 }
 
@@ -45,6 +46,7 @@ LIBRARIES = {
     "embree4": ["correspondences"],
     "meshoptimizer": ["geometry"],
     "fcl": ["collision"],
+    "nlopt": ["evaluation"],
 }
 
 # What users of the runtime see: its public headers include C++'s own and each other, no library.

@@ -171,7 +171,7 @@ TEST_CASE("the cascade comes near the numerical optimum") {
   const HandProfile& profile = real_profile();
   constexpr int actions = 200;
   const int thumb = thumb_of(profile);
-  std::vector<int> pass_counts{1, 3};
+  std::vector<int> pass_counts{1, 3, 10};
   if (const char* more = std::getenv("UHAS_PASSES")) pass_counts = {std::atoi(more)};
   for (int passes : pass_counts) {
     CascadeSolver<double> solver(profile, {.rule = Rule::correspondence, .closing = Closing::fade, .field = FieldReading::finger, .passes = passes});
@@ -206,5 +206,6 @@ TEST_CASE("the cascade comes near the numerical optimum") {
       std::cout << "    " << profile.fingers[f].name << ": median " << quantile(by_finger[f], 0.5) << ", p95 "
                 << quantile(by_finger[f], 0.95) << '\n';
     CHECK(quantile(pooled, 0.5) <= (passes == 1 ? 1.10 : 1.03));
+    CHECK(quantile(pooled, 0.95) <= (passes < 10 ? 1.20 : 1.05));
   }
 }

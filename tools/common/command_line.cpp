@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <sstream>
-#include <string_view>
 
 namespace uhas::tools {
 namespace {
@@ -48,12 +47,14 @@ OptionDescription describe(const CLI::Option& option) {
 
 Json to_json(const OptionDescription& option) {
   constexpr std::array kinds{"none", "words", "file", "other"};
-  return {{"names", option.names},
-          {"argument", option.argument},
-          {"kind", kinds[static_cast<std::size_t>(option.kind)]},
-          {"text", option.text},
-          {"required", option.required},
-          {"repeatable", option.repeatable}};
+  Json result;
+  result["names"] = option.names;
+  result["argument"] = option.argument;
+  result["kind"] = kinds[static_cast<std::size_t>(option.kind)];
+  result["text"] = option.text;
+  result["required"] = option.required;
+  result["repeatable"] = option.repeatable;
+  return result;
 }
 
 Json to_json(const std::vector<OptionDescription>& options) {

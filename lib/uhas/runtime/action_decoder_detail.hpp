@@ -147,7 +147,7 @@ class ActionDecoder {
         plane.delta_r[j] *= share;
         plane.phi[j] = action.angles == 0 ? Num(default_phi_[vectors - 1][j]) : plane.phi[j] * share;
       }
-      plane.find_slopes(convention_.held_toward_pole);
+      plane.complete(convention_.held_toward_pole, action.angles == 0);
     }
   }
 

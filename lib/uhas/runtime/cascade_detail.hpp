@@ -20,6 +20,7 @@ class Cascade {
   using Real = LaneReal<Num>;
   using Mask = MaskOf<Num>;
   using Model = SolverModel<Real>;
+  using Pass = SolverPass<Real>;
 
   explicit Cascade(const Model& model);
 
@@ -79,12 +80,12 @@ class Cascade {
   void move_frames(const Model& model, std::span<const ScopedJoint> scope) noexcept;
   RigidTransform<Num> frame_before_motion(const Model& model, int joint) const noexcept;
 
-  void sweep(const Model& model, const SolverPart& part, Num decay) noexcept;
-  void solve_step(const Model& model, const SolverStep& step, const RigidTransform<Num>& F, Num decay) noexcept;
+  void sweep(const Model& model, const SolverPart& part, const Pass& pass) noexcept;
+  void solve_step(const Model& model, const SolverStep& step, const RigidTransform<Num>& F, const Pass& pass) noexcept;
   void close_faded(const Model& model, const SolverPart& part) noexcept;
 
-  Fit fit_step(const Model& model, const SolverStep& step, const RigidTransform<Num>& F, Num decay) noexcept;
-  Fit fit_single(const Model& model, int joint, const RigidTransform<Num>& F) const noexcept;
+  Fit fit_step(const Model& model, const SolverStep& step, const RigidTransform<Num>& F, const Pass& pass) noexcept;
+  Fit fit_single(const Model& model, const SolverStep& step, const RigidTransform<Num>& F, const Pass& pass) const noexcept;
   Fit fit_group(const Model& model, const SolverStep& step, Num decay) noexcept;
   Descent descent(const Model& model, const SolverStep& step, const JointValue<Num>& value, Num decay) noexcept;
   Fit within_limits(const SolverJoint<Real>& joint, const JointValue<Num>& value) const noexcept;

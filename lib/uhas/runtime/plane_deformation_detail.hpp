@@ -2,11 +2,26 @@
 #pragma once
 
 #include <array>
+#include <numbers>
 
 #include "uhas/profile/hand_profile.hpp"
 #include "uhas/runtime/lanes_detail.hpp"
 
 namespace uhas {
+
+/// Where a joint looks at the displacement to lead its fit (cascade_lead_detail.hpp): at the angles of two driving vectors.
+inline constexpr int kLeadInputs = 2;
+inline constexpr std::array<double, kLeadInputs> kLeadAngles{std::numbers::pi / 3, 2 * std::numbers::pi / 3};
+
+/// What it makes of a displacement: all of a small one, ever less of a larger one, of which first order knows little, and no
+/// more from `bound` on, smoothly.
+template <class Num>
+Num lead_input(Num delta_r) {
+  using Real = LaneReal<Num>;
+  constexpr Real bound{0.6f};  // radii; 0.45 to 0.8 fit alike
+  const Num d = clamp(delta_r, Num(-bound), Num(bound));
+  return d - d * d * d * Num(1 / (3 * bound * bound));
+}
 
 /// A displacement over polar angles: linear between driving vectors and constant beyond the last one; before the first
 /// one linear from 0 at the palm pole, or constant too. Nothing is set by default: a solve makes many of these.
@@ -29,6 +44,13 @@ struct RadialProfile {
     return {past_first - slope[0] * (phi[0] - min(angle, phi[0])), past_first};
   }
 
+  /// Slopes from vectors, angles and displacements.
+  /// @param held_toward_pole  constant before the first vector
+  void find_slopes(bool held_toward_pole) {
+    slope[0] = held_toward_pole ? Num(0) : delta_r[0] / phi[0];
+    for (int j = 1; j < vectors; ++j) slope[j] = (delta_r[j] - delta_r[j - 1]) / (phi[j] - phi[j - 1]);
+  }
+
   /// Slope past driving vector `j`.
   Num slope_past(int j) const { return j + 1 < vectors ? slope[j + 1] : Num(0); }
 };
@@ -38,18 +60,23 @@ struct PlaneDeformation : RadialProfile<Num> {
   Num delta_theta{};          ///< rad, canonical
   bool common_angles = true;  ///< `phi` are the same in every lane
   Num lowest{}, steepest{};   ///< least displacement of a vector; greatest |slope|
+  std::array<Num, kLeadInputs> lead{};  ///< `lead_input` at `kLeadAngles`
 
-  /// Slopes, `lowest` and `steepest` from vectors, angles and displacements.
+  /// All that follows from vectors, angles and displacements.
   /// @param held_toward_pole  constant before the first vector
-  void find_slopes(bool held_toward_pole) {
-    this->slope[0] = held_toward_pole ? Num(0) : this->delta_r[0] / this->phi[0];
+  /// @param default_angles    `phi` are pi j / (V + 1)
+  void complete(bool held_toward_pole, bool default_angles) {
+    this->find_slopes(held_toward_pole);
     lowest = this->delta_r[0];
     steepest = abs(this->slope[0]);
     for (int j = 1; j < this->vectors; ++j) {
-      this->slope[j] = (this->delta_r[j] - this->delta_r[j - 1]) / (this->phi[j] - this->phi[j - 1]);
       lowest = min(lowest, this->delta_r[j]);
       steepest = max(steepest, abs(this->slope[j]));
     }
+    const bool at_vectors = default_angles && this->vectors == kLeadInputs;
+    using Real = LaneReal<Num>;
+    for (int u = 0; u < kLeadInputs; ++u)
+      lead[u] = lead_input(at_vectors ? this->delta_r[u] : this->at(Num(Real(kLeadAngles[u]))).delta_r);
   }
 };
 

@@ -40,7 +40,7 @@ PlaneDeformation<Num> mean_plane(const std::vector<PlaneDeformation<Num>>& plane
       mean.delta_r[j] += share * planes[finger].delta_r[j];
     }
   }
-  mean.find_slopes(held_toward_pole);
+  mean.complete(held_toward_pole, false);
   return mean;
 }
 

@@ -11,6 +11,7 @@
 #include "uhas/base/spherical.hpp"
 #include "uhas/runtime/action_decoder_detail.hpp"
 #include "uhas/runtime/axis_frame_detail.hpp"
+#include "uhas/runtime/cascade_lead_detail.hpp"
 
 namespace uhas {
 namespace {
@@ -18,16 +19,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 /// Factor on a point's weight for each unknown between it and the joint being solved, in a single pass (design 3.8).
-constexpr double kDecay = 0.3;
-
-/// The free arc outside the limits belongs partly to the open limit, the rest to the closed one: a target that passes behind
-/// a closing joint must leave it closed, while one a little beyond open must leave it open (design 3.8).
-double branch_start(const Joint& joint, double q_closed) {
-  constexpr double share_of_open_side = 0.35;
-  const double free_arc = std::max(2 * kPi - (joint.upper - joint.lower), 0.0);
-  const bool closes_upward = joint.upper - q_closed <= q_closed - joint.lower;
-  return closes_upward ? joint.lower - share_of_open_side * free_arc : joint.upper + share_of_open_side * free_arc - 2 * kPi;
-}
+constexpr double kDecay = 0.5;
 
 /// The joint frame of the solver, whose z is the axis, in the joint frame of the profile.
 RigidTransformd solver_frame(const Joint& joint) { return {axis_frame(joint), {}}; }
@@ -63,7 +55,6 @@ SolverJoint<Real> compile_joint(const HandProfile& profile, const SolveOptions& 
   const bool closes_upward = joint.upper - traits.q_closed <= traits.q_closed - joint.lower;
   compiled.travel = {static_cast<Real>(traits.q_open / unit), compiled.q_closed,
                      closes_upward ? compiled.lower.q : compiled.upper.q};
-  compiled.branch_start = static_cast<Real>(branch_start(joint, traits.q_closed));
   compiled.master = joint.mimic_master;
   if (joint.mimic_master >= 0) {
     const double master_unit = profile.tree.joints[joint.mimic_master].kind == JointKind::prismatic ? profile.radius : 1.0;
@@ -241,9 +232,11 @@ SolverModel<Real>::SolverModel(const HandProfile& profile, const SolveOptions& s
   }
 
   // the decay rises to 1 over the passes: the last ones descend on the plain weights
-  const int passes = options.rule == Rule::contact ? 1 : options.passes;
-  for (int pass = 0; pass < passes; ++pass)
-    decays.push_back(static_cast<Real>(passes > 1 ? std::pow(kDecay, 1.0 - double(pass) / double(passes - 1)) : kDecay));
+  const int pass_count = options.rule == Rule::contact ? 1 : options.passes;
+  for (int pass = 0; pass < pass_count; ++pass) {
+    const double done = pass_count > 1 ? double(pass) / double(pass_count - 1) : 0;
+    passes.push_back({.decay = static_cast<Real>(std::pow(kDecay, 1 - done)), .first = pass == 0});
+  }
 
   std::vector<std::vector<int>> finger_joints;
   for (const ProfileFinger& finger : profile.fingers) finger_joints.push_back(finger.joints);
@@ -257,7 +250,7 @@ SolverModel<Real>::SolverModel(const HandProfile& profile, const SolveOptions& s
   for (const CascadeStep& step : plan_cascade(profile.tree, finger_joints, classes, q_open)) {
     if (step.driven.size() == 1 || step.fingers.size() == 1) step_at[step.driven.front()] = static_cast<int>(steps.size());
     const bool single = step.driven.size() == 1 && step.driven.front() == step.joint;
-    steps.push_back({step, single, nested_joints(step, profile.tree), scope_of(step, profile.tree)});
+    steps.push_back({step, step.fingers.front(), single, nested_joints(step, profile.tree), scope_of(step, profile.tree)});
   }
 
   for (const ProfileFinger& finger : profile.fingers) {
@@ -308,6 +301,7 @@ SolverModel<Real>::SolverModel(const HandProfile& profile, const SolveOptions& s
   for (int k = 0; k < static_cast<int>(patches.size()); ++k)
     if (moved[patches[k].joint]) patches_of_finger[patches[k].finger].push_back(k);
   parts = gather_parts(profile, *this, moved);
+  set_leads(*this);
 }
 
 template <class Real>

@@ -39,7 +39,7 @@ struct SolverJoint {
   RigidTransform<Real> T_parent_start;  ///< the joint's frame moved by `start`
   Real q_closed{};
   JointTravel<Real> travel;
-  Real branch_start{};                  ///< fitted angles are taken from [branch_start, branch_start + 2 pi)
+  std::array<Real, kLeadInputs> lead{};  ///< rad a radius: how far the first fit goes ahead for the joints further out
   int master = -1;
   Real multiplier{1}, offset{};
 
@@ -111,6 +111,7 @@ struct ScopedJoint {
 
 /// A step of the cascade and the joints whose frames depend on it.
 struct SolverStep : CascadeStep {
+  int first_finger{};                       ///< of `fingers`
   bool single{};                            ///< one joint, without followers
   std::vector<std::pair<int, int>> nested;  ///< driven turning joints of which the first carries the second
   std::vector<ScopedJoint> scope;  ///< driven joints and all joints further out, in tree order
@@ -126,6 +127,16 @@ struct SolverPart {
   std::vector<int> steps;             ///< indices into `SolverModel::steps`, in solving order
 };
 
+/// One sweep over a part.
+template <class Real>
+struct SolverPass {
+  Real decay;  ///< factor on a point's weight for each unknown between it and a joint
+  bool first;  ///< the joints further out stand at their start: a fit leads
+};
+
+/// Share of the points' own weight that holds a joint at its present value (cascade_kernel_detail.hpp).
+inline constexpr double kHold = 0.5;
+
 template <class Real>
 struct SolverModel {
   SolverModel(const HandProfile& profile, const SolveOptions& solve_options);
@@ -140,7 +151,7 @@ struct SolverModel {
   std::vector<SolverLateral<Real>> laterals;
   std::vector<SolverStep> steps;
   std::vector<SolverPart> parts;
-  std::vector<Real> decays;                    ///< [pass] factor on a point's weight for each unknown between it and a joint
+  std::vector<SolverPass<Real>> passes;
   std::vector<int> step_at;                    ///< [joint] the step solved when the sweep reaches the joint; -1 = none
   std::vector<int> tip_joint;                  ///< [finger]
   std::vector<Vector3<Real>> p_tip;            ///< [finger] in the tip joint's moved frame

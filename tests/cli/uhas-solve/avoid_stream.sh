@@ -1,5 +1,5 @@
 # the model lies beside the profile; a line that cannot be solved is counted for nothing
-cp hand/allegro_right.urdf profile && cp -rL hand/meshes profile
+cp -r hand/allegro_right.urdf hand/meshes profile
 printf '%s\n' '[0,0,0,0,0, 0,0,0,0,-2]' '[1, 2]' '[0,0,0,0,0, 0,0,0,0,0.1]' | uhas-solve - --profile profile/allegro_right.h5 --avoid > lines.json
 code=$?
 grep -o '"scaled":0.[0-9]\|"scaled":1.0\|"line":2' lines.json

@@ -1,0 +1,1 @@
+uhas-evaluate profile/allegro_right.h5 --json --markdown

@@ -1,0 +1,1 @@
+uhas-evaluate profile/missing.h5

@@ -5,10 +5,10 @@
 
 #include "common/evaluation_report.hpp"
 #include "common/model_input.hpp"
+#include "common/profile_input.hpp"
 #include "common/report_page.hpp"
 #include "common/tool.hpp"
 #include "uhas/base/file_bytes.hpp"
-#include "uhas/profile_io/read_profile.hpp"
 
 using namespace uhas;
 using namespace uhas::tools;
@@ -67,10 +67,11 @@ ExitCode run(Tool& tool) {
   options.evaluation.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   add_options(tool.options(), options);
   tool.parse();
+  options.model.load.untrusted = tool.untrusted();
   if (tool.json() && options.markdown) throw Tool::wrong_usage("--markdown", "cannot be printed as JSON too");
 
   std::vector<ProfileFile> files;
-  for (const std::string& path : options.profiles) files.push_back({path, read_profile(path)});
+  for (const std::string& path : options.profiles) files.push_back({path, read_profile(tool, path)});
   const std::vector<HandGeometry> geometries = load_geometries(tool, files, options.model);
 
   EvaluationRun run{.options = options.evaluation, .hands = {}};

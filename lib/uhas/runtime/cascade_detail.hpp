@@ -76,7 +76,7 @@ class Cascade {
   Target target_of(const Model& model, const SolverPoint<Real>& point) const noexcept;
 
   void set_unknown(const Model& model, const SolverStep& step, const JointValue<Num>& value) noexcept;
-  void carry_moments(const Model& model, std::span<const ScopedJoint> scope, Num decay) noexcept;
+  void carry_moments(const Model& model, std::span<const ScopedJoint> scope, const Pass& pass) noexcept;
   void move_frames(const Model& model, std::span<const ScopedJoint> scope) noexcept;
   RigidTransform<Num> frame_before_motion(const Model& model, int joint) const noexcept;
 
@@ -86,8 +86,8 @@ class Cascade {
 
   Fit fit_step(const Model& model, const SolverStep& step, const RigidTransform<Num>& F, const Pass& pass) noexcept;
   Fit fit_single(const Model& model, const SolverStep& step, const RigidTransform<Num>& F, const Pass& pass) const noexcept;
-  Fit fit_group(const Model& model, const SolverStep& step, Num decay) noexcept;
-  Descent descent(const Model& model, const SolverStep& step, const JointValue<Num>& value, Num decay) noexcept;
+  Fit fit_group(const Model& model, const SolverStep& step, const Pass& pass) noexcept;
+  Descent descent(const Model& model, const SolverStep& step, const JointValue<Num>& value, const Pass& pass) noexcept;
   Fit within_limits(const SolverJoint<Real>& joint, const JointValue<Num>& value) const noexcept;
 
   Num contact_single(const Model& model, const SolverStep& step, const RigidTransform<Num>& F) noexcept;

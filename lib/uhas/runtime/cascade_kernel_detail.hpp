@@ -136,7 +136,7 @@ void Cascade<Num, Wide>::sum_targets(const Model& model, const SolverPart& part)
 
 // moments from the tips inward: what each joint carries, with the joints further out at their present values
 template <class Num, class Wide>
-void Cascade<Num, Wide>::carry_moments(const Model& model, std::span<const ScopedJoint> scope, Num decay) noexcept {
+void Cascade<Num, Wide>::carry_moments(const Model& model, std::span<const ScopedJoint> scope, const Pass& pass) noexcept {
   JointState* const states = joints_.data();
   const SolverJoint<Real>* const joints = model.joints.data();
   for (const ScopedJoint& s : scope) states[s.joint].carried = states[s.joint].own;
@@ -144,9 +144,11 @@ void Cascade<Num, Wide>::carry_moments(const Model& model, std::span<const Scope
     if (!scope[n].inner) continue;
     const SolverJoint<Real>& joint = joints[scope[n].joint];
     const JointState& state = states[scope[n].joint];
-    const RigidTransform<Num> T = state.at_start ? joint.T_parent_start.template cast<Num>()
-                                                 : joint.moved(joint.T_parent_joint.template cast<Num>(), state.value);
-    states[joint.parent].carried.add_transformed(state.carried, T, joint.master < 0 ? decay : Num(1));
+    const Num factor = joint.decay_inward(Num(pass.decay));
+    const RigidTransform<Num> scaled_T =
+        pass.first && state.at_start ? joint.decayed_T_parent_start.template cast<Num>()
+                                     : scaled(joint.moved(joint.T_parent_joint.template cast<Num>(), state.value), factor);
+    states[joint.parent].carried.add_transformed(state.carried, scaled_T, factor);
   }
 }
 
@@ -168,13 +170,13 @@ void Cascade<Num, Wide>::move_frames(const Model& model, std::span<const ScopedJ
 // as they are
 template <class Num, class Wide>
 void Cascade<Num, Wide>::sweep(const Model& model, const SolverPart& part, const Pass& pass) noexcept {
-  carry_moments(model, part.tree, Num(pass.decay));
+  carry_moments(model, part.tree, pass);
   for (int k : part.steps) {
     const SolverStep& step = model.steps[k];
     if (model.step_at[step.driven.front()] >= 0) continue;
     move_frames(model, part.tree);
     solve_step(model, step, frame_before_motion(model, step.driven.front()), pass);
-    carry_moments(model, part.tree, Num(pass.decay));
+    carry_moments(model, part.tree, pass);
   }
   JointState* const states = joints_.data();
   const SolverJoint<Real>* const joints = model.joints.data();
@@ -228,7 +230,7 @@ typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::fit_step(const Model& model
       return within_limits(joint, joint.value(step.single ? contact_single(model, step, F) : contact_group(model, step)));
     }
   }
-  return step.single ? fit_single(model, step, F, pass) : fit_group(model, step, Num(pass.decay));
+  return step.single ? fit_single(model, step, F, pass) : fit_group(model, step, pass);
 }
 
 template <class Num, class Wide>
@@ -301,7 +303,7 @@ typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::fit_single(const Model& mod
 // minimum on the way, in steps of a quarter of the range at most and within the bracket it has found.
 template <class Num, class Wide>
 typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::fit_group(const Model& model, const SolverStep& step,
-                                                               Num decay) noexcept {
+                                                               const Pass& pass) noexcept {
   constexpr int most_steps = 12;
   constexpr Real settled_step = std::is_same_v<Real, float> ? Real(1e-4) : Real(1e-6);  // the error left is its square
   const SolverJoint<Real>& joint = model.joints[step.joint];
@@ -310,7 +312,7 @@ typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::fit_group(const Model& mode
   Num below = lower, above = upper;  // the minimum lies between; an end that has not been evaluated is a limit
   Mask risen(false), fallen(false), settled(false), held(false);
   for (int n = 0; n < most_steps && !all(settled); ++n) {
-    const Descent d = descent(model, step, value, decay);
+    const Descent d = descent(model, step, value, pass);
     const Mask up = d.slope > zero, down = d.slope < zero, convex = d.bend < zero;
     below = select(up, value.q, below);
     above = select(down, value.q, above);
@@ -334,9 +336,9 @@ typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::fit_group(const Model& mode
 // at this value of the group's unknown
 template <class Num, class Wide>
 typename Cascade<Num, Wide>::Descent Cascade<Num, Wide>::descent(const Model& model, const SolverStep& step,
-                                                                 const JointValue<Num>& value, Num decay) noexcept {
+                                                                 const JointValue<Num>& value, const Pass& pass) noexcept {
   set_unknown(model, step, value);
-  carry_moments(model, step.scope, decay);
+  carry_moments(model, step.scope, pass);
   move_frames(model, step.scope);
   const auto rate = [&](int i) { return Num(i == step.joint ? Real(1) : model.joints[i].multiplier); };
   Descent sum{Num(0), Num(0)};

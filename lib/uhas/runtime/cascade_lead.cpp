@@ -18,7 +18,8 @@ class FingerAtRest {
   FingerAtRest(const SolverModel<Real>& model, int finger) : model_(model), T_S_joint_(model.joints.size()) {
     for (std::size_t i = 0; i < model.joints.size(); ++i) {
       const SolverJoint<Real>& joint = model.joints[i];
-      const RigidTransformd T = joint.T_parent_start.template cast<double>();
+      const RigidTransformd T =
+          joint.moved(joint.T_parent_joint.template cast<double>(), joint.start.template cast<double>());
       T_S_joint_[i] = joint.parent < 0 ? T : T_S_joint_[joint.parent] * T;
     }
     for (const SolverStep& step : model.steps)
@@ -99,11 +100,11 @@ class FingerAtRest {
   std::array<double, kLeadInputs> lead_shares(double phi) const {
     std::array<double, kLeadInputs> shares{};
     for (int u = 0; u < kLeadInputs; ++u) {
-      RadialProfile<double> unit{};
+      PlaneDeformation<double> unit{};
       unit.vectors = kLeadInputs;
       std::copy_n(kLeadAngles.begin(), kLeadInputs, unit.phi.begin());
       unit.delta_r[u] = 1;
-      unit.find_slopes(model_.options.convention.held_toward_pole);
+      unit.complete(model_.options.convention.held_toward_pole, true);
       shares[u] = unit.at(phi).delta_r;
     }
     return shares;

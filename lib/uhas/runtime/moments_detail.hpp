@@ -41,6 +41,13 @@ struct TargetMoments {
   }
 };
 
+/// `factor` times both parts of T: of a moment of points and their weights it makes `factor` times what T makes.
+template <class Num>
+RigidTransform<Num> scaled(RigidTransform<Num> T, Num factor) {
+  for (Num& number : T.rotation.m) number *= factor;
+  return {T.rotation, factor * T.translation};
+}
+
 template <class Num>
 struct PointMoments : TargetMoments<Num> {
   Num full_weight{};  ///< sum w, dropped points included
@@ -55,11 +62,12 @@ struct PointMoments : TargetMoments<Num> {
     this->add_pair(point, (w * share) * target);
   }
 
-  /// Adds `factor` times `other`, whose points are in a frame that `T` maps to this one's: (p, weight) and each (pt[j],
+  /// Adds `factor` times `other`, whose points are in a frame that T maps to this one's: (p, weight) and each (pt[j],
   /// t_j) are sums of points and of their weights, so that T maps the one with the other's help.
-  void add_transformed(const PointMoments& other, const RigidTransform<Num>& T, Num factor) {
+  /// @param scaled_T  `factor` times T
+  void add_transformed(const PointMoments& other, const RigidTransform<Num>& scaled_T, Num factor) {
     const auto moved = [&](Vector3<Num> points, Num weights) {
-      return factor * (T.rotation * points + weights * T.translation);
+      return scaled_T.rotation * points + weights * scaled_T.translation;
     };
     full_weight += factor * other.full_weight;
     weight += factor * other.weight;

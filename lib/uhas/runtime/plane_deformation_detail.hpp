@@ -44,13 +44,6 @@ struct RadialProfile {
     return {past_first - slope[0] * (phi[0] - min(angle, phi[0])), past_first};
   }
 
-  /// Slopes from vectors, angles and displacements.
-  /// @param held_toward_pole  constant before the first vector
-  void find_slopes(bool held_toward_pole) {
-    slope[0] = held_toward_pole ? Num(0) : delta_r[0] / phi[0];
-    for (int j = 1; j < vectors; ++j) slope[j] = (delta_r[j] - delta_r[j - 1]) / (phi[j] - phi[j - 1]);
-  }
-
   /// Slope past driving vector `j`.
   Num slope_past(int j) const { return j + 1 < vectors ? slope[j + 1] : Num(0); }
 };
@@ -66,17 +59,20 @@ struct PlaneDeformation : RadialProfile<Num> {
   /// @param held_toward_pole  constant before the first vector
   /// @param default_angles    `phi` are pi j / (V + 1)
   void complete(bool held_toward_pole, bool default_angles) {
-    this->find_slopes(held_toward_pole);
+    this->slope[0] = held_toward_pole ? Num(0) : this->delta_r[0] / this->phi[0];
     lowest = this->delta_r[0];
     steepest = abs(this->slope[0]);
     for (int j = 1; j < this->vectors; ++j) {
+      this->slope[j] = (this->delta_r[j] - this->delta_r[j - 1]) / (this->phi[j] - this->phi[j - 1]);
       lowest = min(lowest, this->delta_r[j]);
       steepest = max(steepest, abs(this->slope[j]));
     }
-    const bool at_vectors = default_angles && this->vectors == kLeadInputs;
-    using Real = LaneReal<Num>;
-    for (int u = 0; u < kLeadInputs; ++u)
-      lead[u] = lead_input(at_vectors ? this->delta_r[u] : this->at(Num(Real(kLeadAngles[u]))).delta_r);
+    if (default_angles && this->vectors == kLeadInputs) {  // these are the angles
+      for (int u = 0; u < kLeadInputs; ++u) lead[u] = lead_input(this->delta_r[u]);
+    } else {
+      for (int u = 0; u < kLeadInputs; ++u)
+        lead[u] = lead_input(this->at(Num(LaneReal<Num>(kLeadAngles[u]))).delta_r);
+    }
   }
 };
 

@@ -270,7 +270,8 @@ SolverModel<Real>::SolverModel(const HandProfile& profile, const SolveOptions& s
   for (int i = 0; i < joint_count; ++i) {
     SolverJoint<Real>& joint = joints[i];
     if (joint.master >= 0) joint.start = joint.value(joint.multiplier * joints[joint.master].start.q + joint.offset);
-    joint.T_parent_start = joint.moved(joint.T_parent_joint, joint.start);
+    joint.decayed_T_parent_start =
+        scaled(joint.moved(joint.T_parent_joint, joint.start), joint.decay_inward(passes.front().decay));
   }
 
   group_of_finger.resize(finger_count);

@@ -36,12 +36,18 @@ struct SolverJoint {
   Real unit{};                          ///< profile units of q per solver unit: r for a prismatic joint, else 1
   JointValue<Real> lower, upper;        ///< solver units, like every joint value below
   JointValue<Real> start;               ///< before the cascade: q_sphere, or open for what a contact is sought for
-  RigidTransform<Real> T_parent_start;  ///< the joint's frame moved by `start`
+  RigidTransform<Real> decayed_T_parent_start;  ///< the joint's frame moved by `start`, times `decay_inward` of the first pass
   Real q_closed{};
   JointTravel<Real> travel;
   std::array<Real, kLeadInputs> lead{};  ///< rad a radius: how far the first fit goes ahead for the joints further out
   int master = -1;
   Real multiplier{1}, offset{};
+
+  /// Factor on the moments that go from the joint to its parent: one unknown more between.
+  template <class Num>
+  Num decay_inward(Num decay) const {
+    return master < 0 ? decay : Num(1);
+  }
 
   template <class Num>
   JointValue<Num> value(Num q) const {

@@ -78,7 +78,7 @@ TEST_CASE("the radial profile is anchored at the pole, linear between driving ve
   plane.vectors = 2;
   plane.phi = {1.0, 2.0};
   plane.delta_r = {0.4, -0.6};
-  plane.find_slopes(false);
+  plane.complete(false, false);
   const auto at = [&](double phi) { return plane.at(phi).delta_r; };
   CHECK(at(0) == doctest::Approx(0));
   CHECK(at(0.5) == doctest::Approx(0.2));

@@ -37,7 +37,7 @@ TEST_CASE("moments moved to another frame are the moments of the moved points") 
     here.add(pair.w, pair.share, pair.p, pair.t);
     there.add(0.3 * pair.w, pair.share, some_transform() * pair.p, pair.t);
   }
-  moved.add_transformed(here, some_transform(), 0.3);
+  moved.add_transformed(here, scaled(some_transform(), 0.3), 0.3);
   CHECK(moved.full_weight == doctest::Approx(there.full_weight));
   CHECK(moved.weight == doctest::Approx(there.weight));
   CHECK(norm(moved.p - there.p) < 1e-12);

@@ -1,11 +1,14 @@
 // What the scores of every hand must be.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
 #include <iostream>
 
 #include "support/real_profile.hpp"
 #include "uhas/evaluation/battery.hpp"
 #include "uhas/evaluation/fit.hpp"
+#include "uhas/evaluation/optimum_detail.hpp"
 #include "uhas/evaluation/smoothness.hpp"
 
 using namespace uhas;
@@ -34,4 +37,36 @@ TEST_CASE("the cascade comes near an optimum that several starts agree on") {
               << ", p95 " << ratio.p95 << '\n';
     CHECK(ratio.p95 <= bounds[s]);
   }
+}
+
+TEST_CASE("to first order one pass is the best fit") {
+  const HandProfile& profile = real_profile();
+  const std::vector<Joint>& joints = profile.tree.joints;
+  // joints that lead, and that are free to: by themselves, turning, moving one finger, off their limits
+  const auto leads = [&](int joint) {
+    const double q = profile.joint_traits[joint].q_sphere;
+    return joints[joint].kind != JointKind::prismatic && q - joints[joint].lower > 0.05 && joints[joint].upper - q > 0.05 &&
+           std::ranges::none_of(joints, [&](const Joint& other) { return other.mimic_master == joint; });
+  };
+  constexpr double small = 1e-3, of_second_order = 3e-5;  // radii, rad
+  CascadeSolver<double> solver(profile);
+  std::vector<double> q(joints.size()), q_sphere;
+  for (const JointTraits& traits : profile.joint_traits) q_sphere.push_back(traits.q_sphere);
+  int compared = 0;
+  for (const auto& [near, far] : {std::array{small, 0.0}, std::array{0.0, small}, std::array{small, -small}}) {
+    std::vector<double> action(15, 0.0);
+    for (int slot = 0; slot < kSlotCount; ++slot) action[5 + 2 * slot] = near, action[6 + 2 * slot] = far;
+    REQUIRE(solver.solve({.values = action}, q) == Status::ok);
+    for (LeastSquares& problem : LeastSquares::of_hand(profile)) {
+      if (problem.fingers().size() > 1 || !std::ranges::all_of(problem.unknowns(), leads)) continue;
+      problem.set_action(action);
+      const Optimum optimum = find_optimum(profile, problem, std::vector<std::vector<double>>{q_sphere, q});
+      for (int joint : problem.unknowns()) {
+        CAPTURE(joints[joint].name);
+        CHECK(std::abs(q[joint] - optimum.q[joint]) <= of_second_order);
+        ++compared;
+      }
+    }
+  }
+  std::cout << real_hand().name << ": " << compared << " joint values compared\n";
 }

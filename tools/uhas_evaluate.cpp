@@ -32,10 +32,12 @@ void add_options(CLI::App& app, Options& options) {
       ->check(CLI::Range(1, 1'000'000).description(""))
       ->type_name("N");
   app.add_option("--seed", options.evaluation.battery.seed, "Of the random actions and lines [1]")->type_name("N");
-  app.add_option("--lines", options.evaluation.smoothness_lines, "Random lines along which joint steps are looked for [400]")
+  app.add_option("--lines", options.evaluation.smoothness_lines,
+                 "Random lines along which joint steps are looked for [400]")
       ->check(CLI::Range(0, 1'000'000).description(""))
       ->type_name("N");
-  app.add_option("--threads", options.evaluation.threads, "Threads to work on [all processors]; the scores do not depend on it")
+  app.add_option("--threads", options.evaluation.threads,
+                 "Threads to work on [all processors]; the scores do not depend on it")
       ->check(CLI::Range(1, 1024).description(""))
       ->type_name("N");
   app.add_option("--html", options.html, "Also draw the hands with their scores as a page for any browser, offline")
@@ -46,18 +48,22 @@ void add_options(CLI::App& app, Options& options) {
 
 /// The hand's name, with the file's where two hands have one name.
 std::string label_of(const std::vector<ProfileFile>& files, const ProfileFile& file) {
-  const auto same = std::ranges::count_if(files, [&](const ProfileFile& other) { return other.profile.hand == file.profile.hand; });
+  const auto same =
+      std::ranges::count_if(files, [&](const ProfileFile& other) { return other.profile.hand == file.profile.hand; });
   return same == 1 ? file.profile.hand : file.profile.hand + " (" + file.path + ")";
 }
 
 /// The meshes of each hand; empty ones, and a warning, where its model is not to be found.
-std::vector<HandGeometry> load_geometries(const Tool& tool, std::span<const ProfileFile> files, const ModelInput& input) {
+std::vector<HandGeometry> load_geometries(const Tool& tool, std::span<const ProfileFile> files,
+                                          const ModelInput& input) {
   const std::vector<std::optional<ModelFile>> models = find_models(files, input);
   std::vector<HandGeometry> geometries;
   for (std::size_t i = 0; i < files.size(); ++i) {
-    geometries.push_back(models[i] ? hand_geometry(files[i].profile, models[i]->model, models[i]->path) : HandGeometry{});
+    geometries.push_back(models[i] ? hand_geometry(files[i].profile, models[i]->model, models[i]->path)
+                                   : HandGeometry{});
     if (!models[i])
-      tool.warn({{files[i].path + ": its model is not here, so self-collision is not scored; name the URDF with --urdf"}});
+      tool.warn(
+          {{files[i].path + ": its model is not here, so self-collision is not scored; name the URDF with --urdf"}});
   }
   return geometries;
 }
@@ -78,12 +84,14 @@ ExitCode run(Tool& tool) {
   for (std::size_t i = 0; i < files.size(); ++i) {
     tool.log("evaluating " + files[i].path);
     const HandGeometry* geometry = geometries[i].links.empty() ? nullptr : &geometries[i];
-    run.hands.push_back({label_of(files, files[i]), files[i].profile, evaluate_hand(files[i].profile, geometry, options.evaluation)});
+    run.hands.push_back(
+        {label_of(files, files[i]), files[i].profile, evaluate_hand(files[i].profile, geometry, options.evaluation)});
   }
 
   if (!options.html.empty()) {
     std::vector<ReportHand> hands = report_hands(files, geometries);
-    for (std::size_t i = 0; i < hands.size(); ++i) hands[i].evaluation_json = evaluation_json(run, {&run.hands[i], 1}).dump();
+    for (std::size_t i = 0; i < hands.size(); ++i)
+      hands[i].evaluation_json = evaluation_json(run, {&run.hands[i], 1}).dump();
     const std::string page = report_page(hands);
     replace_file(options.html, std::as_bytes(std::span(page)));
   }

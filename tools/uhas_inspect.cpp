@@ -29,7 +29,9 @@ struct Options {
 
 void add_options(CLI::App& app, Options& options) {
   app.description("Shows what a hand profile says: palm, sphere, fingers, joints and poses.");
-  app.add_option("profile.h5", options.profiles, "Hand profile; several with --html")->required()->option_text("FILE... REQUIRED");
+  app.add_option("profile.h5", options.profiles, "Hand profile; several with --html")
+      ->required()
+      ->option_text("FILE... REQUIRED");
   app.add_option("-g,--get", options.value,
                  "Print one value of the JSON summary instead, for example sphere.radius or fingers.0.name")
       ->type_name("KEY");
@@ -43,7 +45,8 @@ void add_options(CLI::App& app, Options& options) {
   app.add_flag("--reseal", options.reseal, "Make a profile that was edited with an HDF5 tool readable again");
 }
 
-ExitCode report(const Tool& tool, const std::string& path, const HandProfile& profile, const std::vector<Check>& checks) {
+ExitCode report(const Tool& tool, const std::string& path, const HandProfile& profile,
+                const std::vector<Check>& checks) {
   const bool passed = std::ranges::all_of(checks, &Check::passed);
   if (tool.json()) {
     std::cout << to_text(profile_check_json(profile, checks));
@@ -71,9 +74,10 @@ ExitCode report(const Tool& tool, const std::string& path, const HandProfile& pr
 void check_usage(const Options& options) {
   const PictureFiles& pictures = options.pictures;
   if (options.profiles.size() > 1) {
-    const bool asks_for_one = options.validate || !options.checked_urdf.empty() || !pictures.glb.empty() || !pictures.ply.empty() ||
-                              !pictures.svg.empty();
-    if (pictures.html.empty() || asks_for_one) throw Tool::wrong_usage("profile.h5", "several profiles are for --html alone");
+    const bool asks_for_one = options.validate || !options.checked_urdf.empty() || !pictures.glb.empty() ||
+                              !pictures.ply.empty() || !pictures.svg.empty();
+    if (pictures.html.empty() || asks_for_one)
+      throw Tool::wrong_usage("profile.h5", "several profiles are for --html alone");
   }
   if (!options.model.urdfs.empty() && pictures.html.empty() && pictures.glb.empty())
     throw Tool::wrong_usage("--urdf", "needs --html or --gltf");

@@ -67,8 +67,11 @@ void add_options(CLI::App& app, Options& options) {
   app.add_flag("--actuated-only", options.joints.actuated_only, "Leave out joints that follow another one");
   app.add_flag("--collisions", options.collision.report,
                "State with each solution which links come nearest to each other, and how near");
-  app.add_flag("--avoid", options.collision.avoid, "Scale back actions whose solution has the hand collide with itself");
-  app.add_option("--html", options.html, "Draw also the solutions, played on the hand, as a page for any browser, offline")->type_name("hand.html");
+  app.add_flag("--avoid", options.collision.avoid,
+               "Scale back actions whose solution has the hand collide with itself");
+  app.add_option("--html", options.html,
+                 "Draw also the solutions, played on the hand, as a page for any browser, offline")
+      ->type_name("hand.html");
   add_model_options(app, options.model);
 }
 
@@ -76,8 +79,8 @@ ExitCode solve_stream(const Tool& tool, const Options& options) {
   if (options.profile.empty()) throw Tool::wrong_usage("--profile", "needed when actions come from standard input");
   if (!options.output.empty()) throw Tool::wrong_usage("--output", "a stream of solutions goes to standard output");
   if (!options.html.empty()) throw Tool::wrong_usage("--html", "needs a file of actions");
-  SolutionMaker maker({options.profile, read_profile(tool, options.profile)}, options.solve_options(kUhas), options.joints,
-                      options.collision, options.model);
+  SolutionMaker maker({options.profile, read_profile(tool, options.profile)}, options.solve_options(kUhas),
+                      options.joints, options.collision, options.model);
   const std::size_t failed = answer_json_lines(std::cin, std::cout, [&](const std::string& line) {
     const std::vector<double> values = parse_action(line);
     return maker.solve({.values = values}, "");
@@ -107,7 +110,8 @@ ExitCode solve_file(const Tool& tool, const Options& options) {
   if (profile_path.empty())
     throw Tool::wrong_usage("--profile", "needed because " + options.actions + " does not name a hand profile");
   const SolveOptions solve = options.solve_options(document.convention);
-  SolutionMaker maker({profile_path, read_profile(tool, profile_path)}, solve, options.joints, options.collision, options.model);
+  SolutionMaker maker({profile_path, read_profile(tool, profile_path)}, solve, options.joints, options.collision,
+                      options.model);
 
   Json solutions = Json::array();
   for (std::size_t i = 0; i < document.actions.size(); ++i) {

@@ -1,7 +1,8 @@
 // A file of actions, and the same bytes as JSON Lines: actions that a solver takes, or an Error.
+#include "common/actions.hpp"
+
 #include <sstream>
 
-#include "common/actions.hpp"
 #include "common/json_lines.hpp"
 #include "fuzz_file.hpp"
 #include "support/small_profile.hpp"

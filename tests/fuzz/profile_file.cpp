@@ -1,5 +1,6 @@
-// Any byte of a profile changed, or the file cut short, and sealed anew so that it gets past the hash; read as an untrusted file
-// is: a profile that a solver takes, or an Error. HDF5 crashes on some (Debian 12: 1.10.8), in the child process.
+// Any byte of a profile changed, or the file cut short, and sealed anew so that it gets past the hash; read as an
+// untrusted file is: a profile that a solver takes, or an Error. HDF5 crashes on some (Debian 12: 1.10.8), in the child
+// process.
 #include "fuzz_file.hpp"
 #include "profile_edits.hpp"
 #include "uhas/profile_io/read_profile.hpp"
@@ -19,6 +20,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   image.resize(kept);
   detail::write_user_block(image, {kProfileVersionMajor, kProfileVersionMinor});
   const std::string path = input_file("hand.h5", {reinterpret_cast<const char*>(image.data()), image.size()});
-  accepted([&] { CascadeSolver<double>(read_untrusted_profile(path, {.max_memory_bytes = 1u << 30, .max_seconds = 10})); });
+  accepted(
+      [&] { CascadeSolver<double>(read_untrusted_profile(path, {.max_memory_bytes = 1u << 30, .max_seconds = 10})); });
   return 0;
 }

@@ -1,15 +1,15 @@
-// A sound profile with other numbers in its datasets: refused by an Error, or as good as any other profile to the solver, the
-// encoder and the observer. HDF5's own bytes stay whole, so that what is tried is our validation.
+// A sound profile with other numbers in its datasets: refused by an Error, or as good as any other profile to the
+// solver, the encoder and the observer. HDF5's own bytes stay whole, so that what is tried is our validation.
 #include <hdf5.h>
 
 #include <cmath>
 
 #include "fuzz_file.hpp"
 #include "profile_edits.hpp"
-#include "within_limits.hpp"
 #include "uhas/runtime/cascade_solver.hpp"
 #include "uhas/runtime/encoder.hpp"
 #include "uhas/runtime/observation.hpp"
+#include "within_limits.hpp"
 
 using namespace uhas;
 using namespace uhas::test;

@@ -1,4 +1,5 @@
-// Any numbers as an action, in every way of solving: joint angles within their limits, or a status and an untouched output.
+// Any numbers as an action, in every way of solving: joint angles within their limits, or a status and an untouched
+// output.
 #include <fuzzer/FuzzedDataProvider.h>
 
 #include <algorithm>
@@ -8,10 +9,10 @@
 #include <utility>
 
 #include "fuzz_file.hpp"
-#include "within_limits.hpp"
 #include "support/arch_profile.hpp"
 #include "support/small_profile.hpp"
 #include "uhas/runtime/cascade_solver.hpp"
+#include "within_limits.hpp"
 
 using namespace uhas;
 using namespace uhas::test;

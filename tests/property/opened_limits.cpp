@@ -1,7 +1,8 @@
 // A finger's sideways range does not change when a joint's limit is opened beyond use: on every hand.
+#include "opened_limits.hpp"
+
 #include <iostream>
 
-#include "opened_limits.hpp"
 #include "support/real_profile.hpp"
 
 using namespace uhas;

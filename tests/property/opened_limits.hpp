@@ -36,8 +36,8 @@ inline std::vector<bool> joints_held_at_closed(const BuildStages& hand) {
   return held;
 }
 
-/// Opens the closed limit of every joint that the wrap never takes there, far beyond, and expects the same tables. Returns how
-/// many joints that were.
+/// Opens the closed limit of every joint that the wrap never takes there, far beyond, and expects the same tables.
+/// Returns how many joints that were.
 inline int check_opened_limits(const BuildStages& hand, int steps, const std::string& label) {
   constexpr double opened_by = 0.5;
   const std::vector<bool> held = joints_held_at_closed(hand);

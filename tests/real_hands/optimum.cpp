@@ -1,14 +1,13 @@
-// The cascade against a numerical optimum of J = sum w s |p - t|^2 a finger (design 3.8): NLopt, several starts, same limits.
-// Targets and shares are written here a second time, from the design alone.
+// The cascade against a numerical optimum of J = sum w s |p - t|^2 a finger (design 3.8): NLopt, several starts, same
+// limits. Targets and shares are written here a second time, from the design alone.
 #include <doctest/doctest.h>
-
-#include <nlopt.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <nlopt.hpp>
 #include <numbers>
 #include <numeric>
 
@@ -25,7 +24,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Fingers of one connected part of the hand and the unknowns that move them: a finger by itself unless joints are shared.
+/// Fingers of one connected part of the hand and the unknowns that move them: a finger by itself unless joints are
+/// shared.
 struct Problem {
   std::vector<int> fingers;
   std::vector<int> unknowns;  // independent encompassing joints
@@ -81,13 +81,15 @@ std::vector<Pair> pairs_of(const HandProfile& profile, const Problem& problem, c
 
   for (const Correspondence& c : profile.correspondences) {
     const ProfileLink& link = profile.links[c.link];
-    if (c.weight <= 0 || std::find(finger.joints.begin(), finger.joints.end(), link.joint) == finger.joints.end()) continue;
+    if (c.weight <= 0 || std::find(finger.joints.begin(), finger.joints.end(), link.joint) == finger.joints.end())
+      continue;
     const double d = radial(delta_r, c.phi);
     const double u = std::clamp((1 + (c.phi < kPi / 3 ? delta_r[0] : d)) / 0.5, 0.0, 1.0);
     const double share = u * u * (3 - 2 * u);
     const double azimuth = (profile.mirrored ? -1 : 1) * (c.theta + delta_theta);
     const Vector3d t = from_spherical<double>({azimuth, c.phi, std::max(c.rho + d, 0.0)});
-    pairs.push_back({link.joint, link.T_joint_link * c.p_link, profile.T_palm_sphere * (profile.radius * t), c.weight * share});
+    pairs.push_back(
+        {link.joint, link.T_joint_link * c.p_link, profile.T_palm_sphere * (profile.radius * t), c.weight * share});
   }
   return pairs;
 }
@@ -121,12 +123,14 @@ double evaluate(const std::vector<double>& x, std::vector<double>& gradient, voi
     std::vector<double> ahead = q, behind = q;
     ahead[objective.problem.unknowns[i]] += h;
     behind[objective.problem.unknowns[i]] -= h;
-    gradient[i] = (cost(objective.profile, objective.pairs, ahead) - cost(objective.profile, objective.pairs, behind)) / (2 * h);
+    gradient[i] =
+        (cost(objective.profile, objective.pairs, ahead) - cost(objective.profile, objective.pairs, behind)) / (2 * h);
   }
   return cost(objective.profile, objective.pairs, q);
 }
 
-double optimum(const HandProfile& profile, const Problem& problem, const std::vector<Pair>& pairs, const std::vector<double>& q) {
+double optimum(const HandProfile& profile, const Problem& problem, const std::vector<Pair>& pairs,
+               const std::vector<double>& q) {
   const std::size_t n = problem.unknowns.size();
   std::vector<double> lower(n), upper(n), at(n), open(n), sphere(n), middle(n);
   for (std::size_t i = 0; i < n; ++i) {
@@ -162,7 +166,8 @@ double optimum(const HandProfile& profile, const Problem& problem, const std::ve
 
 double quantile(std::vector<double> values, double share) {
   std::sort(values.begin(), values.end());
-  return values.empty() ? std::nan("") : values[std::min(values.size() - 1, static_cast<std::size_t>(share * double(values.size())))];
+  return values.empty() ? std::nan("")
+                        : values[std::min(values.size() - 1, static_cast<std::size_t>(share * double(values.size())))];
 }
 
 }  // namespace
@@ -174,7 +179,9 @@ TEST_CASE("the cascade comes near the numerical optimum") {
   std::vector<int> pass_counts{1, 3, 10};
   if (const char* more = std::getenv("UHAS_PASSES")) pass_counts = {std::atoi(more)};
   for (int passes : pass_counts) {
-    CascadeSolver<double> solver(profile, {.rule = Rule::correspondence, .closing = Closing::fade, .field = FieldReading::finger, .passes = passes});
+    CascadeSolver<double> solver(
+        profile,
+        {.rule = Rule::correspondence, .closing = Closing::fade, .field = FieldReading::finger, .passes = passes});
     std::vector<double> pooled, thumbs;
     int left_out = 0;
     std::vector<std::vector<double>> by_finger(profile.fingers.size());
@@ -186,12 +193,16 @@ TEST_CASE("the cascade comes near the numerical optimum") {
         REQUIRE(solver.solve({.values = action}, q) == Status::ok);
         for (const Problem& problem : problems_of(profile)) {
           const std::vector<Pair> pairs = pairs_of(profile, problem, action);
-          const double weight = std::accumulate(pairs.begin(), pairs.end(), 0.0, [](double a, const Pair& b) { return a + b.w; });
+          const double weight =
+              std::accumulate(pairs.begin(), pairs.end(), 0.0, [](double a, const Pair& b) { return a + b.w; });
           if (!(weight > 0)) continue;
           const double own = std::sqrt(cost(profile, pairs, q) / weight);
           const double best = std::sqrt(optimum(profile, problem, pairs, q) / weight);
           constexpr double negligible = 0.005;  // radii
-          if (best < negligible) { ++left_out; continue; }
+          if (best < negligible) {
+            ++left_out;
+            continue;
+          }
           const double ratio = std::max(own / best, 1.0);
           pooled.push_back(ratio);
           by_finger[problem.fingers[0]].push_back(ratio);
@@ -199,9 +210,10 @@ TEST_CASE("the cascade comes near the numerical optimum") {
         }
       }
     }
-    std::cout << profile.hand << ", passes " << passes << ": median " << quantile(pooled, 0.5) << ", p95 " << quantile(pooled, 0.95)
-              << ", worst " << quantile(pooled, 1) << "; thumb median " << quantile(thumbs, 0.5) << ", p95 "
-              << quantile(thumbs, 0.95) << "; " << pooled.size() << " ratios, " << left_out << " left out\n";
+    std::cout << profile.hand << ", passes " << passes << ": median " << quantile(pooled, 0.5) << ", p95 "
+              << quantile(pooled, 0.95) << ", worst " << quantile(pooled, 1) << "; thumb median "
+              << quantile(thumbs, 0.5) << ", p95 " << quantile(thumbs, 0.95) << "; " << pooled.size() << " ratios, "
+              << left_out << " left out\n";
     for (std::size_t f = 0; f < by_finger.size(); ++f)
       std::cout << "    " << profile.fingers[f].name << ": median " << quantile(by_finger[f], 0.5) << ", p95 "
                 << quantile(by_finger[f], 0.95) << '\n';

@@ -1,6 +1,6 @@
-// A hand whose scores are known by hand: two fingers on opposite sides of a sphere of radius 1 m, each a slide along the radius at
-// polar angle 90 degrees. The joint values of a solve are the mean displacement of the finger's two driving vectors, within
-// limits.
+// A hand whose scores are known by hand: two fingers on opposite sides of a sphere of radius 1 m, each a slide along
+// the radius at polar angle 90 degrees. The joint values of a solve are the mean displacement of the finger's two
+// driving vectors, within limits.
 #pragma once
 
 #include <cmath>

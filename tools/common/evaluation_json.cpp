@@ -9,7 +9,10 @@ namespace {
 Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json to_json(const Quantiles& q) {
-  return {{"median", number_or_null(q.median)}, {"p95", number_or_null(q.p95)}, {"worst", number_or_null(q.worst)}, {"count", q.count}};
+  return {{"median", number_or_null(q.median)},
+          {"p95", number_or_null(q.p95)},
+          {"worst", number_or_null(q.worst)},
+          {"count", q.count}};
 }
 
 Json to_json(const InputReach& reach) {
@@ -43,7 +46,9 @@ Json reach_json(const HandProfile& profile, const ReachScore& score) {
 }
 
 Json fit_json(const HandProfile& profile, const FitScore& score) {
-  const auto fit = [](const FingerFit& f) { return Json{{"residual", to_json(f.residual)}, {"ratio", to_json(f.ratio)}}; };
+  const auto fit = [](const FingerFit& f) {
+    return Json{{"residual", to_json(f.residual)}, {"ratio", to_json(f.ratio)}};
+  };
   Json solves = Json::array();
   for (const SolveFit& solve : score.solves) {
     Json fingers = Json::array();
@@ -105,7 +110,8 @@ Json collision_json(const HandProfile& profile, const std::optional<CollisionSco
   if (!score) return nullptr;
   Json pairs = Json::array();
   for (const PairContacts& pair : score->pairs)
-    pairs.push_back({{"links", {profile.links[pair.first].name, profile.links[pair.second].name}}, {"poses", pair.poses}});
+    pairs.push_back(
+        {{"links", {profile.links[pair.first].name, profile.links[pair.second].name}}, {"poses", pair.poses}});
   return {{"share", score->share},
           {"at_rest", score->at_rest},
           {"distance", to_json(score->distance)},

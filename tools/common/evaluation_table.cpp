@@ -22,7 +22,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kPercent = 100, kMillimetres = 1000, kDegrees = 180 / std::numbers::pi, kMicroseconds = 1e-3;
 
 /// Mean over the fingers whose input has bounds.
-double mean_followed(const EvaluatedHand& hand, InputReach FingerReach::* input) {
+double mean_followed(const EvaluatedHand& hand, InputReach FingerReach::*input) {
   double sum = 0, count = 0;
   for (const FingerReach& finger : hand.evaluation.reach.fingers)
     if ((finger.*input).upper > (finger.*input).lower) sum += (finger.*input).followed, ++count;
@@ -57,31 +57,44 @@ const SolveFit& fit_of(const EvaluatedHand& hand, Rule rule, int passes) {
 
 std::vector<Score> all_scores() {
   std::vector<Score> scores{
-      {"reach, delta theta followed", "%", 0, [](const auto& h) { return kPercent * mean_followed(h, &FingerReach::azimuth); }},
-      {"reach, delta r followed", "%", 0, [](const auto& h) { return kPercent * mean_followed(h, &FingerReach::together); }},
+      {"reach, delta theta followed", "%", 0,
+       [](const auto& h) { return kPercent * mean_followed(h, &FingerReach::azimuth); }},
+      {"reach, delta r followed", "%", 0,
+       [](const auto& h) { return kPercent * mean_followed(h, &FingerReach::together); }},
       {"reach, dead inputs", "", 0, dead_inputs},
       {"reach, joint most at a limit", "% of actions", 0, [](const auto& h) { return kPercent * most_clamped(h); }},
       {"fit, optimum, median", "radii", 3, [](const auto& h) { return h.evaluation.fit.optimum.median; }}};
   for (int passes : {1, 3, 10}) {
     const std::string name = "fit, " + std::to_string(passes) + (passes == 1 ? " pass / optimum" : " passes / optimum");
-    scores.push_back({name + ", median", "", 3, [=](const auto& h) { return fit_of(h, Rule::correspondence, passes).pooled.ratio.median; }});
-    scores.push_back({name + ", p95", "", 3, [=](const auto& h) { return fit_of(h, Rule::correspondence, passes).pooled.ratio.p95; }});
+    scores.push_back({name + ", median", "", 3,
+                      [=](const auto& h) { return fit_of(h, Rule::correspondence, passes).pooled.ratio.median; }});
+    scores.push_back({name + ", p95", "", 3,
+                      [=](const auto& h) { return fit_of(h, Rule::correspondence, passes).pooled.ratio.p95; }});
   }
   scores.insert(
       scores.end(),
-      {{"fit, contact / optimum, median", "", 3, [](const auto& h) { return fit_of(h, Rule::contact, 1).pooled.ratio.median; }},
-       {"surface, off the sphere at rest, median", "radii", 3, [](const auto& h) { return h.evaluation.surface.at_rest.median; }},
-       {"surface, off the deformed sphere, median", "radii", 3, [](const auto& h) { return h.evaluation.surface.deformed.median; }},
-       {"surface, off the deformed sphere, p95", "radii", 3, [](const auto& h) { return h.evaluation.surface.deformed.p95; }},
+      {{"fit, contact / optimum, median", "", 3,
+        [](const auto& h) { return fit_of(h, Rule::contact, 1).pooled.ratio.median; }},
+       {"surface, off the sphere at rest, median", "radii", 3,
+        [](const auto& h) { return h.evaluation.surface.at_rest.median; }},
+       {"surface, off the deformed sphere, median", "radii", 3,
+        [](const auto& h) { return h.evaluation.surface.deformed.median; }},
+       {"surface, off the deformed sphere, p95", "radii", 3,
+        [](const auto& h) { return h.evaluation.surface.deformed.p95; }},
        {"surface, coverage", "%", 0, [](const auto& h) { return kPercent * h.evaluation.surface.coverage; }},
        {"surface, largest hole", "deg", 0, [](const auto& h) { return kDegrees * h.evaluation.surface.largest_hole; }},
-       {"smoothness, delta r", "rad a radius", 1, [](const auto& h) { return steepest(h.evaluation.smoothness[0].radial); }},
-       {"smoothness, delta r, 3 passes", "rad a radius", 1, [](const auto& h) { return steepest(h.evaluation.smoothness[2].radial); }},
-       {"smoothness, delta theta", "rad a rad", 1, [](const auto& h) { return steepest(h.evaluation.smoothness[0].azimuth); }},
+       {"smoothness, delta r", "rad a radius", 1,
+        [](const auto& h) { return steepest(h.evaluation.smoothness[0].radial); }},
+       {"smoothness, delta r, 3 passes", "rad a radius", 1,
+        [](const auto& h) { return steepest(h.evaluation.smoothness[2].radial); }},
+       {"smoothness, delta theta", "rad a rad", 1,
+        [](const auto& h) { return steepest(h.evaluation.smoothness[0].azimuth); }},
        {"collision", "% of actions", 1,
         [](const auto& h) { return h.evaluation.collision ? kPercent * h.evaluation.collision->share : kNone; }},
        {"collision, distance, median", "mm", 1,
-        [](const auto& h) { return h.evaluation.collision ? kMillimetres * h.evaluation.collision->distance.median : kNone; }},
+        [](const auto& h) {
+          return h.evaluation.collision ? kMillimetres * h.evaluation.collision->distance.median : kNone;
+        }},
        {"time, median", "us a solve", 2, [](const auto& h) { return kMicroseconds * h.evaluation.time.median; }},
        {"time, p99", "us a solve", 2, [](const auto& h) { return kMicroseconds * h.evaluation.time.p99; }}});
   return scores;
@@ -112,11 +125,16 @@ void print_reach(std::ostream& out, const EvaluatedHand& hand) {
     if (reach.azimuth.dead) dead.push_back("theta");
     for (std::size_t j = 0; j < reach.radial.size(); ++j)
       if (reach.radial[j].dead) dead.push_back("r" + std::to_string(j));
-    const auto useful = [](const InputReach& input, const auto& number) { return bounds(input.useful_lower, input.useful_upper, number); };
-    const auto achieved = [](const InputReach& input, const auto& number) { return bounds(input.achieved_lower, input.achieved_upper, number); };
+    const auto useful = [](const InputReach& input, const auto& number) {
+      return bounds(input.useful_lower, input.useful_upper, number);
+    };
+    const auto achieved = [](const InputReach& input, const auto& number) {
+      return bounds(input.achieved_lower, input.achieved_upper, number);
+    };
     table.add_row({hand.profile.fingers[f].name, bounds(reach.azimuth.lower, reach.azimuth.upper, degrees),
                    useful(reach.azimuth, degrees), achieved(reach.azimuth, degrees), useful(reach.together, radii),
-                   achieved(reach.together, radii), useful(reach.radial[0], radii), useful(reach.radial[1], radii), join(dead, ", ")});
+                   achieved(reach.together, radii), useful(reach.radial[0], radii), useful(reach.radial[1], radii),
+                   join(dead, ", ")});
   }
   table.print(out);
 }
@@ -135,8 +153,9 @@ void print_fingers(std::ostream& out, const EvaluatedHand& hand) {
   const SolveFit &one = fit_of(hand, Rule::correspondence, 1), &three = fit_of(hand, Rule::correspondence, 3);
   for (std::size_t f = 0; f < hand.profile.fingers.size(); ++f) {
     const FingerSurface& surface = hand.evaluation.surface.fingers[f];
-    table.add_row({hand.profile.fingers[f].name, fixed(one.fingers[f].ratio.median, 3), fixed(one.fingers[f].ratio.p95, 3),
-                   fixed(three.fingers[f].ratio.p95, 3), fixed(one.fingers[f].residual.median, 3), fixed(one.fingers[f].residual.p95, 3),
+    table.add_row({hand.profile.fingers[f].name, fixed(one.fingers[f].ratio.median, 3),
+                   fixed(one.fingers[f].ratio.p95, 3), fixed(three.fingers[f].ratio.p95, 3),
+                   fixed(one.fingers[f].residual.median, 3), fixed(one.fingers[f].residual.p95, 3),
                    fixed(surface.deformed.median, 3), fixed(surface.deformed.p95, 3),
                    bounds(surface.phi_least, surface.phi_greatest, degrees), degrees(surface.phi_gap)});
   }
@@ -144,14 +163,19 @@ void print_fingers(std::ostream& out, const EvaluatedHand& hand) {
 }
 
 void print_joints(std::ostream& out, const EvaluatedHand& hand) {
-  Table table({{"joint"}, {"rad a radius of delta r", Align::right}, {"3 passes", Align::right}, {"at a limit, % of actions", Align::right}});
-  const std::vector<JointStep>&one = hand.evaluation.smoothness[0].radial, &three = hand.evaluation.smoothness[2].radial;
+  Table table({{"joint"},
+               {"rad a radius of delta r", Align::right},
+               {"3 passes", Align::right},
+               {"at a limit, % of actions", Align::right}});
+  const std::vector<JointStep>&one = hand.evaluation.smoothness[0].radial,
+        &three = hand.evaluation.smoothness[2].radial;
   for (std::size_t k = 0; k < one.size(); ++k) {
     const auto& clamped = hand.evaluation.reach.clamped;
     const auto at = std::ranges::find(clamped, one[k].joint, &ClampedJoint::joint);
     const auto same = std::ranges::find(three, one[k].joint, &JointStep::joint);
     table.add_row({hand.profile.tree.joints[one[k].joint].name, fixed(one[k].finest_rate, 1),
-                   same == three.end() ? "-" : fixed(same->finest_rate, 1), at == clamped.end() ? "0" : fixed(kPercent * at->share, 0)});
+                   same == three.end() ? "-" : fixed(same->finest_rate, 1),
+                   at == clamped.end() ? "0" : fixed(kPercent * at->share, 0)});
   }
   table.print(out);
 }
@@ -162,7 +186,8 @@ void print_collisions(std::ostream& out, const EvaluatedHand& hand) {
   Table table({{"links that touch"}, {""}, {"poses", Align::right}});
   const std::vector<PairContacts>& pairs = hand.evaluation.collision->pairs;
   for (std::size_t k = 0; k < std::min(pairs.size(), most); ++k)
-    table.add_row({hand.profile.links[pairs[k].first].name, hand.profile.links[pairs[k].second].name, std::to_string(pairs[k].poses)});
+    table.add_row({hand.profile.links[pairs[k].first].name, hand.profile.links[pairs[k].second].name,
+                   std::to_string(pairs[k].poses)});
   out << '\n';
   table.print(out);
 }

@@ -33,7 +33,8 @@ void add_load_options(CLI::App& app, LoadOptions& load) {
                                                     "Folder that package://NAME/ stands for; repeatable")
       ->allow_extra_args(false)
       ->option_text("NAME=DIR");
-  app.add_flag("--allow-outside", load.allow_outside, "Read meshes outside the folder of the model and of its packages, too");
+  app.add_flag("--allow-outside", load.allow_outside,
+               "Read meshes outside the folder of the model and of its packages, too");
   app.add_option("--max-triangles", load.max_triangles, "Refuse a hand of more triangles [20000000]")
       ->check(CLI::PositiveNumber.description(""))
       ->type_name("N");

@@ -29,8 +29,8 @@ std::string one_line(const Json& value) {
   return value.is_object() ? "{" + text + "}" : "[" + text + "]";
 }
 
-/// Appends `value` in one line when it fits or is a list of numbers or words, else one element a line. `split` demands the
-/// latter, for the document as a whole.
+/// Appends `value` in one line when it fits or is a list of numbers or words, else one element a line. `split` demands
+/// the latter, for the document as a whole.
 void append(const Json& value, std::size_t indent, bool split, std::string& out) {
   if (!split) {
     const std::string line = one_line(value);

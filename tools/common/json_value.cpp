@@ -9,7 +9,8 @@
 namespace uhas::tools {
 namespace {
 
-/// The element that `key` opens with, and the rest of `key` behind its dot. Of several names that fit the longest is meant.
+/// The element that `key` opens with, and the rest of `key` behind its dot. Of several names that fit the longest is
+/// meant.
 struct Step {
   const Json* value = nullptr;
   std::string rest;
@@ -22,7 +23,8 @@ Step step_into(const Json& value, const std::string& key) {
     if (value.is_object() && value.contains(name)) return {&value.at(name), rest};
     std::size_t position = 0;
     const auto parsed = std::from_chars(name.data(), name.data() + name.size(), position);
-    if (value.is_array() && parsed.ec == std::errc() && parsed.ptr == name.data() + name.size() && position < value.size())
+    if (value.is_array() && parsed.ec == std::errc() && parsed.ptr == name.data() + name.size() &&
+        position < value.size())
       return {&value.at(position), rest};
   }
   return {};
@@ -53,6 +55,8 @@ const Json& value_at(const Json& document, const std::string& key) {
   return *value;
 }
 
-std::string to_plain_line(const Json& value) { return value.is_string() ? value.get<std::string>() + "\n" : to_line(value); }
+std::string to_plain_line(const Json& value) {
+  return value.is_string() ? value.get<std::string>() + "\n" : to_line(value);
+}
 
 }  // namespace uhas::tools

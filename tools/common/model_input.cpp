@@ -13,7 +13,9 @@
 namespace uhas::tools {
 namespace {
 
-std::string sha256_of_urdf(const std::string& path) { return sha256_hex(read_file(path, LoadOptions{}.max_urdf_bytes)); }
+std::string sha256_of_urdf(const std::string& path) {
+  return sha256_hex(read_file(path, LoadOptions{}.max_urdf_bytes));
+}
 
 /// The SHA-256 of the URDF; empty for a profile that was not built from files.
 std::string stated_sha256(const HandProfile& profile) {
@@ -24,10 +26,12 @@ std::string stated_sha256(const HandProfile& profile) {
 std::string urdf_nearby(const ProfileFile& file) {
   if (file.profile.sources.empty()) return {};
   const std::filesystem::path name = std::filesystem::path(file.profile.sources.front().name).filename();
-  for (const std::filesystem::path& folder : {std::filesystem::path(file.path).parent_path(), std::filesystem::path()}) {
+  for (const std::filesystem::path& folder :
+       {std::filesystem::path(file.path).parent_path(), std::filesystem::path()}) {
     const std::string path = (folder / name).string();
     std::error_code ignored;
-    if (std::filesystem::is_regular_file(path, ignored) && sha256_of_urdf(path) == stated_sha256(file.profile)) return path;
+    if (std::filesystem::is_regular_file(path, ignored) && sha256_of_urdf(path) == stated_sha256(file.profile))
+      return path;
   }
   return {};
 }
@@ -37,7 +41,8 @@ ModelFile load_unchanged(const ProfileFile& file, const std::string& urdf, const
   const std::vector<Check> checks = check_sources(file.profile, result.model);
   const auto failed = std::ranges::find(checks, false, &Check::passed);
   if (failed != checks.end())
-    throw Error(ErrorCode::invalid_model, urdf, failed->item + ": " + failed->detail + " since " + file.path + " was built",
+    throw Error(ErrorCode::invalid_model, urdf,
+                failed->item + ": " + failed->detail + " since " + file.path + " was built",
                 "rebuild the profile, or see uhas-inspect --check");
   return result;
 }
@@ -46,7 +51,8 @@ ModelFile load_unchanged(const ProfileFile& file, const std::string& urdf, const
 
 void add_model_options(CLI::App& app, ModelInput& input) {
   app.add_option("--urdf", input.urdfs,
-                 "URDF that the profile was built from, for its meshes; repeatable [the one beside the profile or in this folder]")
+                 "URDF that the profile was built from, for its meshes; repeatable [the one beside the profile or in "
+                 "this folder]")
       ->allow_extra_args(false)
       ->option_text("hand.urdf");
   add_load_options(app, input.load);
@@ -62,7 +68,8 @@ std::vector<std::optional<ModelFile>> find_models(std::span<const ProfileFile> p
   std::vector<std::string> sha256;
   for (const std::string& urdf : input.urdfs) {
     sha256.push_back(sha256_of_urdf(urdf));
-    if (std::ranges::none_of(profiles, [&](const ProfileFile& file) { return stated_sha256(file.profile) == sha256.back(); }))
+    if (std::ranges::none_of(profiles,
+                             [&](const ProfileFile& file) { return stated_sha256(file.profile) == sha256.back(); }))
       throw Error(ErrorCode::invalid_model, urdf,
                   profiles.size() == 1 ? "is not what " + profiles.front().path + " was built from"
                                        : "none of the profiles was built from it",
@@ -79,13 +86,16 @@ std::vector<std::optional<ModelFile>> find_models(std::span<const ProfileFile> p
   return models;
 }
 
-std::vector<HandGeometry> find_geometries(const Tool& tool, std::span<const ProfileFile> profiles, const ModelInput& input) {
+std::vector<HandGeometry> find_geometries(const Tool& tool, std::span<const ProfileFile> profiles,
+                                          const ModelInput& input) {
   const std::vector<std::optional<ModelFile>> models = find_models(profiles, input);
   std::vector<HandGeometry> geometries;
   for (std::size_t i = 0; i < profiles.size(); ++i) {
-    geometries.push_back(models[i] ? hand_geometry(profiles[i].profile, models[i]->model, models[i]->path) : HandGeometry{});
+    geometries.push_back(models[i] ? hand_geometry(profiles[i].profile, models[i]->model, models[i]->path)
+                                   : HandGeometry{});
     if (!models[i])
-      tool.warn({{profiles[i].path + ": its model is not here, so the picture lacks the meshes; name the URDF with --urdf"}});
+      tool.warn(
+          {{profiles[i].path + ": its model is not here, so the picture lacks the meshes; name the URDF with --urdf"}});
   }
   return geometries;
 }

@@ -1,5 +1,5 @@
-// The model that a profile was built from, for the tools that need its meshes. A profile holds neither meshes nor where they
-// are, only the SHA-256 of every file it was built from: that is how its model is known.
+// The model that a profile was built from, for the tools that need its meshes. A profile holds neither meshes nor where
+// they are, only the SHA-256 of every file it was built from: that is how its model is known.
 #pragma once
 
 #include <optional>
@@ -37,12 +37,13 @@ void add_model_options(CLI::App& app, ModelInput& input);
 HandModel load_model_of(const HandProfile& profile, const std::string& profile_path, const std::string& urdf,
                         LoadOptions load);
 
-/// The model of each profile: of --urdf the file with the profile's SHA-256, else a file of the same name with that SHA-256 beside the
-/// profile or in the current folder, else none. Throws Error: invalid_model for a URDF of --urdf that no profile was built from, or
-/// when meshes have changed; what load_hand_model throws.
+/// The model of each profile: of --urdf the file with the profile's SHA-256, else a file of the same name with that
+/// SHA-256 beside the profile or in the current folder, else none. Throws Error: invalid_model for a URDF of --urdf
+/// that no profile was built from, or when meshes have changed; what load_hand_model throws.
 std::vector<std::optional<ModelFile>> find_models(std::span<const ProfileFile> profiles, const ModelInput& input);
 
-/// The meshes of these models; empty ones, and a warning, where there is none. Throws as `find_models` and `hand_geometry`.
+/// The meshes of these models; empty ones, and a warning, where there is none. Throws as `find_models` and
+/// `hand_geometry`.
 std::vector<HandGeometry> find_geometries(const Tool& tool, std::span<const ProfileFile> profiles, const ModelInput& input);
 
 }  // namespace uhas::tools

@@ -12,13 +12,17 @@
 namespace uhas::tools {
 
 void add_picture_options(CLI::App& app, PictureFiles& files) {
-  app.add_option("--html", files.html, "Draw the hands, which move by sliders, as a page for any browser, offline")->type_name("hand.html");
-  app.add_option("--gltf", files.glb, "Draw the wrapped hand, its sphere and its surface points as binary glTF")->type_name("hand.glb");
-  app.add_option("--ply", files.ply, "Write the surface points with their sphere coordinates as PLY")->type_name("points.ply");
+  app.add_option("--html", files.html, "Draw the hands, which move by sliders, as a page for any browser, offline")
+      ->type_name("hand.html");
+  app.add_option("--gltf", files.glb, "Draw the wrapped hand, its sphere and its surface points as binary glTF")
+      ->type_name("hand.glb");
+  app.add_option("--ply", files.ply, "Write the surface points with their sphere coordinates as PLY")
+      ->type_name("points.ply");
   app.add_option("--svg", files.svg, "Draw the lateral tables as SVG")->type_name("tables.svg");
 }
 
-void write_pictures(const Tool& tool, const PictureFiles& files, std::span<const ProfileFile> profiles, const ModelInput& input) {
+void write_pictures(const Tool& tool, const PictureFiles& files, std::span<const ProfileFile> profiles,
+                    const ModelInput& input) {
   const auto write = [&](const std::string& path, const auto& content) {
     replace_file(path, std::as_bytes(std::span(content)));
     if (!tool.quiet()) std::cout << "Wrote " << path << '\n';

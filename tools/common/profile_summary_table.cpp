@@ -66,8 +66,10 @@ void print_joints(std::ostream& out, const HandProfile& profile, bool with_poses
       const Joint& joint = profile.tree.joints[index];
       const JointTraits& traits = profile.joint_traits[index];
       const Tone tone = traits.joint_class == JointClass::lateral ? Tone::lateral : Tone::encompassing;
-      std::vector<Table::Cell> cells{index == finger.joints.front() ? finger.name : "", joint.name,
-                                     {role_text(profile, finger, index), tone}, joint_value(joint, joint.lower),
+      std::vector<Table::Cell> cells{index == finger.joints.front() ? finger.name : "",
+                                     joint.name,
+                                     {role_text(profile, finger, index), tone},
+                                     joint_value(joint, joint.lower),
                                      joint_value(joint, joint.upper)};
       if (with_poses)
         for (const double q : {traits.q_open, traits.q_sphere, traits.q_closed}) cells.push_back(joint_value(joint, q));
@@ -89,11 +91,13 @@ void print_profile(std::ostream& out, const HandProfile& profile, bool in_full) 
   const auto label = [&out](const char* word) { return toned(out, word, Tone::heading); };
   out << label("Hand") << "    " << profile.hand;
   if (profile.handedness != Handedness::none) out << ", a " << to_word(profile.handedness) << " hand";
-  out << "\n" << label("Palm") << "    link " << profile.palm_link << ", normal (" << fixed(normal.x, 3) << ", " << fixed(normal.y, 3)
-      << ", " << fixed(normal.z, 3) << ") in " << profile.root_link << '\n' << label("Sphere") << "  radius "
-      << millimetres(profile.radius) << " mm, centre (" << millimetres(center.x) << ", " << millimetres(center.y)
-      << ", " << millimetres(center.z) << ") mm in " << profile.root_link << '\n' << label("Points") << "  "
-      << profile.correspondences.size() << " on the surface, palm included; the solver uses " << used << "\n\n";
+  out << "\n"
+      << label("Palm") << "    link " << profile.palm_link << ", normal (" << fixed(normal.x, 3) << ", "
+      << fixed(normal.y, 3) << ", " << fixed(normal.z, 3) << ") in " << profile.root_link << '\n'
+      << label("Sphere") << "  radius " << millimetres(profile.radius) << " mm, centre (" << millimetres(center.x)
+      << ", " << millimetres(center.y) << ", " << millimetres(center.z) << ") mm in " << profile.root_link << '\n'
+      << label("Points") << "  " << profile.correspondences.size() << " on the surface, palm included; the solver uses "
+      << used << "\n\n";
   print_fingers(out, profile);
   out << '\n';
   print_joints(out, profile, in_full);

@@ -5,7 +5,8 @@
 
 namespace uhas::tools {
 
-std::vector<ReportHand> report_hands(std::span<const ProfileFile> profiles, const std::vector<HandGeometry>& geometries) {
+std::vector<ReportHand> report_hands(std::span<const ProfileFile> profiles,
+                                     const std::vector<HandGeometry>& geometries) {
   std::vector<ReportHand> hands;
   for (std::size_t i = 0; i < profiles.size(); ++i)
     hands.push_back({.profile = profiles[i].profile,

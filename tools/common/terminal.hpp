@@ -8,8 +8,8 @@ namespace uhas::tools {
 
 enum class Tone { plain, heading, dim, lateral, encompassing, warning, error };
 
-/// Whether text written to `out`, std::cout or std::cerr, may hold colours: it goes to a terminal, the environment has no NO_COLOR
-/// (https://no-color.org) and does not call the terminal dumb.
+/// Whether text written to `out`, std::cout or std::cerr, may hold colours: it goes to a terminal, the environment has
+/// no NO_COLOR (https://no-color.org) and does not call the terminal dumb.
 bool has_colour(const std::ostream& out);
 
 /// `text` in the colour of `tone` where `out` has colours, else as it is.

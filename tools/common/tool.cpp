@@ -37,7 +37,8 @@ Tool::Tool(std::string name, int argc, char** argv)
 void Tool::parse() {
   // added last, so that --help lists them after the tool's own options
   app_.option_defaults()->group("Common options");
-  app_.add_flag("--untrusted", untrusted_, "Read profiles and meshes in child processes, under limits of time and memory");
+  app_.add_flag("--untrusted", untrusted_,
+                "Read profiles and meshes in child processes, under limits of time and memory");
   app_.add_flag("--json", json_, "Print the result as JSON");
   app_.add_flag("--quiet", quiet_, "Print no warnings and no progress");
   app_.add_flag("--verbose", verbose_, "Say on stderr what is being done");
@@ -56,7 +57,8 @@ void Tool::parse() {
 
 void Tool::warn(std::span<const std::string> warnings) const {
   if (quiet_) return;
-  for (const std::string& warning : warnings) std::cerr << name_ << ": " << toned(std::cerr, "warning:", Tone::warning) << ' ' << warning << '\n';
+  for (const std::string& warning : warnings)
+    std::cerr << name_ << ": " << toned(std::cerr, "warning:", Tone::warning) << ' ' << warning << '\n';
 }
 
 void Tool::log(const std::string& text) const {

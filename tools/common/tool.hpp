@@ -20,8 +20,8 @@ class Tool {
   /// The command line, for the options of this tool.
   CLI::App& options() { return app_; }
 
-  /// Adds --untrusted, --json, --quiet, --verbose, --version and --help, then reads the command line into the variables the options
-  /// were bound to. Throws CLI::ParseError.
+  /// Adds --untrusted, --json, --quiet, --verbose, --version and --help, then reads the command line into the variables
+  /// the options were bound to. Throws CLI::ParseError.
   void parse();
 
   bool json() const { return json_; }

@@ -21,13 +21,13 @@ constexpr std::size_t kMaxNameBytes = 1000;
 
 // What h5py and MATLAB write of a trajectory, and no more.
 constexpr Hdf5Bounds kBounds{.kind = "a trajectory",
-                                     .refusal = ErrorCode::syntax,
-                                     .refusal_remedy = "store plain numbers and names",
-                                     .bound_remedy = "cut it into parts",
-                                     .max_rows = 1u << 28,
-                                     .max_bytes = (std::uint64_t{1} << 32) - 1,
-                                     .allow_variable_text = true,
-                                     .allow_shuffle = true};
+                             .refusal = ErrorCode::syntax,
+                             .refusal_remedy = "store plain numbers and names",
+                             .bound_remedy = "cut it into parts",
+                             .max_rows = 1u << 28,
+                             .max_bytes = (std::uint64_t{1} << 32) - 1,
+                             .allow_variable_text = true,
+                             .allow_shuffle = true};
 
 /// An HDF5 identifier that closes itself.
 class Handle {
@@ -224,8 +224,8 @@ bool write_names(hid_t file, const std::vector<std::string>& names) {
   const hsize_t count = names.size();
   const Handle type = text_type(longest), space(H5Screate_simple(1, &count, nullptr), H5Sclose);
   const Handle creation = dataset_creation();
-  const Handle dataset(
-      H5Dcreate2(file, "joint_names", type.id(), space.id(), H5P_DEFAULT, creation.id(), H5P_DEFAULT), H5Dclose);
+  const Handle dataset(H5Dcreate2(file, "joint_names", type.id(), space.id(), H5P_DEFAULT, creation.id(), H5P_DEFAULT),
+                       H5Dclose);
   return dataset.valid() && H5Dwrite(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) >= 0;
 }
 

@@ -190,9 +190,10 @@ FingerChains find_finger_chains(const HandModel& model, const HandConfig& config
                 "a hand needs two or more chains of movable joints on one palm; name the palm with \"palm_link\" in a "
                 "hand config");
   if (found.chains.size() > kMaxFingers)
-    throw Error(ErrorCode::invalid_hand, "",
-                std::to_string(found.chains.size()) + " chains of movable joints hang on one palm, too many for fingers",
-                "name the joints of each finger by \"fingers\" in a hand config");
+    throw Error(
+        ErrorCode::invalid_hand, "",
+        std::to_string(found.chains.size()) + " chains of movable joints hang on one palm, too many for fingers",
+        "name the joints of each finger by \"fingers\" in a hand config");
   std::sort(found.chains.begin(), found.chains.end());
   if (!config.palm_link) found.palm_link = find_palm_link(model, found);
   return found;

@@ -231,7 +231,8 @@ HandConfig parse_hand_config(const std::string& text, const std::string& file) {
   json document;
   try {
     document = json::parse(text, [&file](int depth, json::parse_event_t, const json&) {
-      if (depth > kMaxDepth) throw Error(ErrorCode::syntax, file, "nested too deeply for a hand config", "use fewer levels");
+      if (depth > kMaxDepth)
+        throw Error(ErrorCode::syntax, file, "nested too deeply for a hand config", "use fewer levels");
       return true;
     });
   } catch (const json::parse_error& error) {

@@ -25,7 +25,8 @@ using detail::errno_text;
 using detail::FileDescriptor;
 using Clock = std::chrono::steady_clock;
 
-// The first byte of what the child writes: the bytes of the result follow, or the number of an ErrorCode and what() says.
+// The first byte of what the child writes: the bytes of the result follow, or the number of an ErrorCode and what()
+// says.
 enum class Answer : char { result, error };
 
 std::uint64_t address_space() {
@@ -127,7 +128,8 @@ std::vector<std::byte> in_child(const ChildLimits& limits, ErrorCode blame, cons
   FileDescriptor out(ends[1]);
   const pid_t child = ::fork();
   if (child < 0)
-    throw Error(ErrorCode::file_unreadable, file, "no child process can be made: " + errno_text(), "end some processes");
+    throw Error(ErrorCode::file_unreadable, file, "no child process can be made: " + errno_text(),
+                "end some processes");
   if (child == 0) be_the_child(limits, blame, out.number(), work);
 
   out.close();

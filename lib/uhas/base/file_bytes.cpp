@@ -32,8 +32,7 @@ std::vector<std::byte> read_file(const std::string& path, std::uint64_t max_byte
   const auto size = static_cast<std::uint64_t>(status.st_size);
   if (size > max_bytes)
     throw Error(ErrorCode::limit_exceeded, path,
-                "has " + std::to_string(size) + " bytes, more than the bound of " + std::to_string(max_bytes),
-                remedy);
+                "has " + std::to_string(size) + " bytes, more than the bound of " + std::to_string(max_bytes), remedy);
 
   std::vector<std::byte> bytes(size);
   std::size_t filled = 0;

@@ -35,7 +35,8 @@ struct LinkPair {
 struct SelfCollisionOptions {
   int samples = 1000;      ///< poses drawn, besides q_open, q_sphere and q_closed, to tell the uses of pairs
   std::uint64_t seed = 1;  ///< of those poses
-  /// In (0, 1]. On the hands known to us what overlaps by design touches in 95 % of the poses and more, all else in under half.
+  /// In (0, 1]. On the hands known to us what overlaps by design touches in 95 % of the poses and more, all else in
+  /// under half.
   double touching_share = 0.9;
   /// Of the whole hand; one with more is simplified to that. FCL takes half a kilobyte a triangle.
   std::size_t max_triangles = 500'000;

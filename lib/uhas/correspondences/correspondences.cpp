@@ -67,7 +67,8 @@ std::vector<std::string> missing_links(const HandModel& model, const Anatomy& an
     const bool unseen = hits[i].too_far == 0 && hits[i].facing_away == 0;
     warnings.push_back("link '" + link.name + "' has no surface point: " +
                        (unseen ? std::string("other links hide it from the sphere's centre")
-                               : std::to_string(hits[i].too_far) + " rays from the sphere's centre met it too far from the sphere, " +
+                               : std::to_string(hits[i].too_far) +
+                                     " rays from the sphere's centre met it too far from the sphere, " +
                                      std::to_string(hits[i].facing_away) + " from behind"));
   }
   return warnings;

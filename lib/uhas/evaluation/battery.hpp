@@ -14,8 +14,8 @@ struct BatteryOptions {
   std::uint64_t seed = 1;
 };
 
-/// [actions][15] Displacements uniform within the bound; azimuths zero in every other action, else uniform between the bounds of
-/// their fingers' lateral tables.
+/// [actions][15] Displacements uniform within the bound; azimuths zero in every other action, else uniform between the
+/// bounds of their fingers' lateral tables.
 std::vector<std::vector<double>> random_battery(const HandProfile& profile, const BatteryOptions& options);
 
 }  // namespace uhas

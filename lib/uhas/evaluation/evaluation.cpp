@@ -10,7 +10,8 @@ namespace {
 
 void require_at_least(int least, int value, const std::string& option) {
   if (value < least)
-    throw Error(ErrorCode::invalid_option, "", option + " is " + std::to_string(value), "choose at least " + std::to_string(least));
+    throw Error(ErrorCode::invalid_option, "", option + " is " + std::to_string(value),
+                "choose at least " + std::to_string(least));
 }
 
 CollisionScore measure_collisions(const HandProfile& profile, const HandGeometry& geometry,
@@ -57,7 +58,8 @@ Evaluation evaluate_hand(const HandProfile& profile, const HandGeometry* geometr
   for (const SolveOptions& solve : evaluated_solves()) {
     if (solve.rule != Rule::correspondence) continue;
     evaluation.smoothness.push_back(measure_smoothness(
-        profile, {.lines = options.smoothness_lines, .seed = options.battery.seed, .threads = options.threads, .solve = solve}));
+        profile,
+        {.lines = options.smoothness_lines, .seed = options.battery.seed, .threads = options.threads, .solve = solve}));
   }
   if (geometry != nullptr) evaluation.collision = measure_collisions(profile, *geometry, battery, options.threads);
   evaluation.time = measure_solve_time(profile, battery);

@@ -13,8 +13,8 @@ namespace {
 constexpr double kNegligible = 0.005;  // radii: a ratio to less says nothing
 constexpr double kAgreement = 1e-2;    // of the rms
 
-/// Where the optimiser starts besides the cascade's answer: wrapped, open, closed, at mid-range and half closed; the lateral
-/// joints as in `q`.
+/// Where the optimiser starts besides the cascade's answer: wrapped, open, closed, at mid-range and half closed; the
+/// lateral joints as in `q`.
 std::vector<std::vector<double>> starts_of(const HandProfile& profile, const std::vector<int>& unknowns,
                                            const std::vector<double>& q) {
   std::vector<std::vector<double>> starts(6, q);
@@ -32,10 +32,10 @@ std::vector<std::vector<double>> starts_of(const HandProfile& profile, const std
 
 /// One action on one problem.
 struct Sample {
-  bool weighs = false;        // closing has left some point
-  double best = 0;            // rms of the optimum
-  bool confirmed = true;      // by a second start
-  std::vector<double> rms;    // [solve]
+  bool weighs = false;      // closing has left some point
+  double best = 0;          // rms of the optimum
+  bool confirmed = true;    // by a second start
+  std::vector<double> rms;  // [solve]
 };
 
 }  // namespace
@@ -57,7 +57,8 @@ FitScore measure_fit(const HandProfile& profile, std::span<const std::vector<dou
         Sample& sample = samples[n][k];
         sample.weighs = problems[k].weight() > 0;
         if (!sample.weighs) continue;
-        const Optimum optimum = find_optimum(profile, problems[k], starts_of(profile, problems[k].unknowns(), q.back()));
+        const Optimum optimum =
+            find_optimum(profile, problems[k], starts_of(profile, problems[k].unknowns(), q.back()));
         sample.best = optimum.rms;
         sample.confirmed = optimum.second_rms <= (1 + kAgreement) * optimum.rms;
         for (std::size_t s = 0; s < solves.size(); ++s) sample.rms.push_back(problems[k].rms(q[s]));

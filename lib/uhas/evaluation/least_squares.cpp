@@ -9,7 +9,9 @@
 namespace uhas {
 namespace {
 
-bool contains(const std::vector<int>& list, int value) { return std::find(list.begin(), list.end(), value) != list.end(); }
+bool contains(const std::vector<int>& list, int value) {
+  return std::find(list.begin(), list.end(), value) != list.end();
+}
 
 }  // namespace
 
@@ -20,7 +22,8 @@ std::vector<LeastSquares> LeastSquares::of_hand(const HandProfile& profile) {
     problem.fingers_ = {f};
     for (int joint : profile.fingers[f].joints) {
       const int master = profile.tree.joints[joint].mimic_master, unknown = master < 0 ? joint : master;
-      if (profile.joint_traits[unknown].joint_class == JointClass::encompassing && !contains(problem.unknowns_, unknown))
+      if (profile.joint_traits[unknown].joint_class == JointClass::encompassing &&
+          !contains(problem.unknowns_, unknown))
         problem.unknowns_.push_back(unknown);
     }
     // fingers that share an unknown are one problem
@@ -59,7 +62,8 @@ void LeastSquares::add_points() {
     const auto distance = [&](int f) { return std::abs(wrap_angle(c.theta - profile_->fingers[f].theta_initial)); };
     int nearest = -1;
     for (int f : fingers_)
-      if (contains(profile_->fingers[f].joints, link.joint) && (nearest < 0 || distance(f) < distance(nearest))) nearest = f;
+      if (contains(profile_->fingers[f].joints, link.joint) && (nearest < 0 || distance(f) < distance(nearest)))
+        nearest = f;
     points_.push_back({.joint = link.joint,
                        .finger = nearest,
                        .p_joint = link.T_joint_link * c.p_link,
@@ -85,9 +89,7 @@ void LeastSquares::set_action(std::span<const double> action) {
   }
 }
 
-void LeastSquares::place(std::span<const double> q) {
-  forward_kinematics(profile_->tree, q, joints_, T_palm_joint_);
-}
+void LeastSquares::place(std::span<const double> q) { forward_kinematics(profile_->tree, q, joints_, T_palm_joint_); }
 
 double LeastSquares::rms(std::span<const double> q) {
   place(q);
@@ -103,7 +105,8 @@ double LeastSquares::mean_square(std::span<double> q, std::span<const double> x,
   const std::vector<Joint>& joints = profile_->tree.joints;
   for (std::size_t i = 0; i < x.size(); ++i) q[unknowns_[i]] = x[i];
   for (int j : joints_)
-    if (joints[j].mimic_master >= 0) q[j] = joints[j].mimic_multiplier * q[joints[j].mimic_master] + joints[j].mimic_offset;
+    if (joints[j].mimic_master >= 0)
+      q[j] = joints[j].mimic_multiplier * q[joints[j].mimic_master] + joints[j].mimic_offset;
   place(q);
   std::fill(gradient.begin(), gradient.end(), 0.0);
 
@@ -132,7 +135,8 @@ double LeastSquares::mean_square(std::span<double> q, std::span<const double> x,
     const int unknown = joint.mimic_master < 0 ? j : joint.mimic_master;
     const auto at = std::lower_bound(unknowns_.begin(), unknowns_.end(), unknown);
     if (at != unknowns_.end() && *at == unknown)
-      gradient[at - unknowns_.begin()] += 2 * rate * (joint.mimic_master < 0 ? 1 : joint.mimic_multiplier) / profile_->radius;
+      gradient[at - unknowns_.begin()] +=
+          2 * rate * (joint.mimic_master < 0 ? 1 : joint.mimic_multiplier) / profile_->radius;
     if (joint.parent < 0) continue;
     moments[joint.parent].force += moments[j].force;
     moments[joint.parent].torque += moments[j].torque;

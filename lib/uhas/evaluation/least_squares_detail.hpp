@@ -1,5 +1,5 @@
-// The least-squares problem that the cascade answers (design 3.7 and 3.8), written a second time from the design alone: a
-// finger's points, their targets under an action, and the weighted squared distance with its derivative.
+// The least-squares problem that the cascade answers (design 3.7 and 3.8), written a second time from the design alone:
+// a finger's points, their targets under an action, and the weighted squared distance with its derivative.
 #pragma once
 
 #include <span>
@@ -24,11 +24,12 @@ class LeastSquares {
   /// Sum over the points of weight times what closing has left of each.
   double weight() const { return weight_; }
 
-  /// Root of the weighted mean square distance of points from targets (sphere radii) at joint values `q`, mimics applied.
+  /// Root of the weighted mean square distance of points from targets (sphere radii) at joint values `q`, mimics
+  /// applied.
   double rms(std::span<const double> q);
 
-  /// Weighted mean square distance, and its derivative by each unknown when `gradient` is not empty. `q`: all joints of the
-  /// profile, in which the unknowns are set to `x` and followers follow.
+  /// Weighted mean square distance, and its derivative by each unknown when `gradient` is not empty. `q`: all joints of
+  /// the profile, in which the unknowns are set to `x` and followers follow.
   double mean_square(std::span<double> q, std::span<const double> x, std::span<double> gradient);
 
  private:

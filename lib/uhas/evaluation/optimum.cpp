@@ -1,9 +1,9 @@
+#include <nlopt.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
-
-#include <nlopt.h>
 
 #include "uhas/evaluation/optimum_detail.hpp"
 #include "uhas/runtime/forward_kinematics.hpp"

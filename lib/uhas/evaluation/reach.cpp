@@ -19,7 +19,10 @@ constexpr double kDead = 0.05;       // achieved over commanded, of the whole ra
 class Probe {
  public:
   Probe(const HandProfile& profile, int finger)
-      : profile_(profile), finger_(profile.fingers[finger]), solver_(profile), T_sphere_palm_(profile.T_palm_sphere.inverse()) {
+      : profile_(profile),
+        finger_(profile.fingers[finger]),
+        solver_(profile),
+        T_sphere_palm_(profile.T_palm_sphere.inverse()) {
     q_.resize(profile.tree.joints.size());
     T_palm_joint_.resize(q_.size());
   }

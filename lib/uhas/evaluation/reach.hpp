@@ -9,9 +9,9 @@
 
 namespace uhas {
 
-/// One input of a finger, moved over its bounds with all others at zero; the slots of the finger together. `achieved` is in the
-/// units of the input: rad that the fingertip turned in azimuth, or radii that the surface points moved outward, as far as they
-/// moved in the pattern asked for (its coefficient of least squares, by the solver's weights).
+/// One input of a finger, moved over its bounds with all others at zero; the slots of the finger together. `achieved`
+/// is in the units of the input: rad that the fingertip turned in azimuth, or radii that the surface points moved
+/// outward, as far as they moved in the pattern asked for (its coefficient of least squares, by the solver's weights).
 struct InputReach {
   double lower = 0, upper = 0;                    ///< bounds of the input
   double useful_lower = 0, useful_upper = 0;      ///< from zero outward, as long as every step is followed by a quarter at least

@@ -37,7 +37,8 @@ void add_axes(const ActionSpace& space, std::vector<Line>& lines) {
     for (const auto& [begin, end] : {std::pair(first, first), std::pair(last, last), std::pair(first, last)})
       for (double share : {0.0, -1.0, 1.0}) {
         std::vector<double> from = space.zero(), to = from;
-        for (int s = 0; s < kSlotCount; ++s) from[s] = to[s] = share < 0 ? -share * space.lower[s] : share * space.upper[s];
+        for (int s = 0; s < kSlotCount; ++s)
+          from[s] = to[s] = share < 0 ? -share * space.lower[s] : share * space.upper[s];
         for (int i = begin; i <= end; ++i) from[i] = space.lower[i], to[i] = space.upper[i];
         lines.push_back(line_between(space.with_fingers_agreed(from), space.with_fingers_agreed(to), true));
       }
@@ -111,7 +112,8 @@ JointStep refine(LineSolver& solver, const Line& line, int joint, const Steepest
   constexpr double least_jump = 1e-3;  // rad; a slope of 12 leaves 2e-6
   double a = place.x, b = std::min(place.x + step, line.length);
   double q_a = solver.at(line, a)[joint], q_b = solver.at(line, b)[joint];
-  JointStep result{.joint = joint, .rate = place.rate, .finest_rate = place.rate, .jump = 0, .action = {}, .change = line.change};
+  JointStep result{
+      .joint = joint, .rate = place.rate, .finest_rate = place.rate, .jump = 0, .action = {}, .change = line.change};
   for (int n = 0; n < halvings; ++n) {
     const double middle = (a + b) / 2, q = solver.at(line, middle)[joint];
     if (std::abs(q - q_a) > std::abs(q_b - q))

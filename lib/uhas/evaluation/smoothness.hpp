@@ -33,9 +33,10 @@ struct SmoothnessScore {
   std::vector<JointStep> azimuth;  ///< [joint that an azimuth moves] along changes of one azimuth
 };
 
-/// The slots of a finger always agree. Lines of radial inputs run over their bounds: each alone, those of a finger together, with
-/// the azimuths at zero and at their bounds; and between two random settings of all inputs, azimuths kept. Lines of azimuths run
-/// over the bounds of one finger, the radial inputs at zero and random. Random inputs are uniform between their bounds.
+/// The slots of a finger always agree. Lines of radial inputs run over their bounds: each alone, those of a finger
+/// together, with the azimuths at zero and at their bounds; and between two random settings of all inputs, azimuths
+/// kept. Lines of azimuths run over the bounds of one finger, the radial inputs at zero and random. Random inputs are
+/// uniform between their bounds.
 SmoothnessScore measure_smoothness(const HandProfile& profile, const SmoothnessOptions& options);
 
 }  // namespace uhas

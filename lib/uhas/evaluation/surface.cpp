@@ -20,9 +20,8 @@ std::vector<std::vector<int>> points_by_finger(const HandProfile& profile) {
   std::vector<std::vector<int>> points(profile.fingers.size());
   for (int k = 0; k < static_cast<int>(profile.correspondences.size()); ++k) {
     const int joint = profile.links[profile.correspondences[k].link].joint;
-    const auto finger = std::ranges::find_if(profile.fingers, [&](const ProfileFinger& f) {
-      return std::ranges::find(f.joints, joint) != f.joints.end();
-    });
+    const auto finger = std::ranges::find_if(
+        profile.fingers, [&](const ProfileFinger& f) { return std::ranges::find(f.joints, joint) != f.joints.end(); });
     if (joint >= 0 && finger != profile.fingers.end()) points[finger - profile.fingers.begin()].push_back(k);
   }
   return points;

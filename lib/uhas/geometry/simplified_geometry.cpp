@@ -10,7 +10,8 @@
 namespace uhas {
 namespace {
 
-constexpr double kFirstDistance = 2e-5, kLastDistance = 5e-2;  // m: from below what a picture shows to a whole finger link
+constexpr double kFirstDistance = 2e-5,
+                 kLastDistance = 5e-2;  // m: from below what a picture shows to a whole finger link
 constexpr double kDistanceStep = 1.5;
 
 /// A mesh as meshoptimizer takes it, vertices at one place made one.
@@ -50,7 +51,8 @@ WeldedMesh weld(const TriangleMesh& mesh) {
   for (const auto& triangle : mesh.triangles) indices.insert(indices.end(), triangle.begin(), triangle.end());
 
   std::vector<unsigned> place_of(vertices.size());
-  meshopt_generateVertexRemap(place_of.data(), indices.data(), indices.size(), vertices.data(), vertices.size(), kStride);
+  meshopt_generateVertexRemap(place_of.data(), indices.data(), indices.size(), vertices.data(), vertices.size(),
+                              kStride);
   std::vector<std::array<float, 3>> places(vertices.size());
   meshopt_remapVertexBuffer(places.data(), vertices.data(), vertices.size(), kStride, place_of.data());
   for (unsigned& index : indices) index = place_of[index];
@@ -63,8 +65,8 @@ WeldedMesh simplified(const WeldedMesh& mesh, double distance) {
   const float scale = meshopt_simplifyScale(mesh.positions(), mesh.vertices.size(), kStride);
   if (!(scale > 0)) return mesh;
   std::vector<unsigned> kept(mesh.indices.size());
-  kept.resize(meshopt_simplify(kept.data(), mesh.indices.data(), mesh.indices.size(), mesh.positions(), mesh.vertices.size(),
-                               kStride, 0, static_cast<float>(distance) / scale, 0, nullptr));
+  kept.resize(meshopt_simplify(kept.data(), mesh.indices.data(), mesh.indices.size(), mesh.positions(),
+                               mesh.vertices.size(), kStride, 0, static_cast<float>(distance) / scale, 0, nullptr));
   return compacted(mesh.vertices, kept);
 }
 

@@ -50,11 +50,13 @@ struct LoadOptions {
   std::vector<PackageFolder> packages;  ///< searched before the folders of ROS_PACKAGE_PATH and those above the URDF
   bool load_meshes = true;              ///< false: skeleton only
 
-  /// Meshes are read only below the folder of the model (the nearest one above the URDF with a package.xml, else the one that
-  /// holds the URDF's folder), below `packages` and below the folders of ROS_PACKAGE_PATH, symbolic links followed; true: anywhere.
+  /// Meshes are read only below the folder of the model (the nearest one above the URDF with a package.xml, else the
+  /// one that holds the URDF's folder), below `packages` and below the folders of ROS_PACKAGE_PATH, symbolic links
+  /// followed; true: anywhere.
   bool allow_outside = false;
 
-  /// Each mesh file is read in a child process under the default ChildLimits, for files that may bring a mesh library down.
+  /// Each mesh file is read in a child process under the default ChildLimits, for files that may bring a mesh library
+  /// down.
   bool untrusted = false;
 
   std::uint64_t max_urdf_bytes = 16u << 20;

@@ -44,7 +44,8 @@ class ByteReader {
     bytes_ = bytes_.subspan(size);
   }
   [[noreturn]] void fail() const {
-    throw Error(ErrorCode::invalid_mesh, file_, "the process that read it handed over no mesh", "do not trust the file");
+    throw Error(ErrorCode::invalid_mesh, file_, "the process that read it handed over no mesh",
+                "do not trust the file");
   }
 
   std::span<const std::byte> bytes_;

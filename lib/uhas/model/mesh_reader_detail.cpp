@@ -43,8 +43,13 @@ std::string lower_case_extension(const fs::path& path) {
 // not exist, so that they are neither needed nor read.
 class MeshFiles : public Assimp::IOSystem {
  public:
-  MeshFiles(fs::path mesh, std::string reference, const LoadOptions& options, const MeshFolders& folders, SourceLog& sources)
-      : mesh_(std::move(mesh)), reference_(std::move(reference)), options_(options), folders_(folders), sources_(sources) {}
+  MeshFiles(fs::path mesh, std::string reference, const LoadOptions& options, const MeshFolders& folders,
+            SourceLog& sources)
+      : mesh_(std::move(mesh)),
+        reference_(std::move(reference)),
+        options_(options),
+        folders_(folders),
+        sources_(sources) {}
 
   const std::vector<std::byte>& mesh_bytes() { return content(mesh_); }
 
@@ -69,7 +74,8 @@ class MeshFiles : public Assimp::IOSystem {
   const std::vector<std::byte>& content(const fs::path& file) {
     const auto [entry, is_new] = contents_.try_emplace(file);
     if (is_new) {
-      entry->second = read_file(file, options_.max_mesh_bytes, "simplify the mesh or raise the bound by --max-mesh-bytes");
+      entry->second =
+          read_file(file, options_.max_mesh_bytes, "simplify the mesh or raise the bound by --max-mesh-bytes");
       const fs::path beside = fs::path(reference_).parent_path() / file.lexically_relative(mesh_.parent_path());
       sources_.add(file, file == mesh_ ? reference_ : beside.generic_string(), entry->second);
     }

@@ -21,10 +21,10 @@ struct Hdf5Bounds {
   bool allow_shuffle = false;                  ///< the filter that often precedes deflate
 };
 
-/// Refuses links that are not hard links, objects that are neither groups nor datasets, types other than integers, floating-point
-/// numbers and fixed-length strings, external and virtual storage, filters other than deflate, and more objects, rows or bytes
-/// than the bounds allow. Attributes are held to the same rules. A damaged file may bring HDF5 down before it is refused.
-/// Throws Error: file_unreadable for what is not HDF5, `bounds.refusal`, limit_exceeded.
+/// Refuses links that are not hard links, objects that are neither groups nor datasets, types other than integers,
+/// floating-point numbers and fixed-length strings, external and virtual storage, filters other than deflate, and more
+/// objects, rows or bytes than the bounds allow. Attributes are held to the same rules. A damaged file may bring HDF5
+/// down before it is refused. Throws Error: file_unreadable for what is not HDF5, `bounds.refusal`, limit_exceeded.
 void check_hdf5_bounds(const std::string& path, const Hdf5Bounds& bounds);
 
 }  // namespace uhas

@@ -111,7 +111,8 @@ class Screening {
     if (++objects_ > max_objects) exceed(name, "is one object more than", "have");
   }
 
-  void count_bytes(const std::string& name, std::size_t value_bytes, const hsize_t* extents, int rank, std::uint64_t most) {
+  void count_bytes(const std::string& name, std::size_t value_bytes, const hsize_t* extents, int rank,
+                   std::uint64_t most) {
     std::uint64_t bytes = value_bytes;
     for (int i = 0; i < rank; ++i) {
       if (extents[i] > most || bytes > most) exceed(name, "is larger than", "be");

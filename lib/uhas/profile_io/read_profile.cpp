@@ -13,9 +13,8 @@ HandProfile read_profile(const std::string& path) {
 }
 
 HandProfile read_untrusted_profile(const std::string& path, const ChildLimits& limits) {
-  const std::vector<std::byte> image = in_child(limits, ErrorCode::invalid_profile, path, [&] {
-    return detail::image_of_profile(read_profile(path), path);
-  });
+  const std::vector<std::byte> image = in_child(limits, ErrorCode::invalid_profile, path,
+                                                [&] { return detail::image_of_profile(read_profile(path), path); });
   return detail::profile_of_image(image, detail::check_user_block(image, path), path);
 }
 

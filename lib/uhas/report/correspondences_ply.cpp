@@ -14,7 +14,8 @@ namespace {
 
 /// Names come from strangers' files; a line break in one would end the comment.
 std::string one_line(std::string text) {
-  std::ranges::replace_if(text, [](unsigned char c) { return c < ' '; }, ' ');
+  std::ranges::replace_if(
+      text, [](unsigned char c) { return c < ' '; }, ' ');
   return text;
 }
 
@@ -36,8 +37,8 @@ std::string correspondences_ply(const HandProfile& profile) {
     const Vector3d p = T_sphere_link[c.link] * c.p_link, n = T_sphere_link[c.link].rotation * c.normal_link;
     const auto colour = sphere_colour_bytes(c.theta, c.phi);
     std::array<char, 320> line{};
-    std::snprintf(line.data(), line.size(), "%.7g %.7g %.7g %.5g %.5g %.5g %d %d %d %.7g %.7g %.7g %.7g %d\n", p.x, p.y, p.z, n.x,
-                  n.y, n.z, colour[0], colour[1], colour[2], c.theta, c.phi, c.rho, c.weight, c.link);
+    std::snprintf(line.data(), line.size(), "%.7g %.7g %.7g %.5g %.5g %.5g %d %d %d %.7g %.7g %.7g %.7g %d\n", p.x, p.y,
+                  p.z, n.x, n.y, n.z, colour[0], colour[1], colour[2], c.theta, c.phi, c.rho, c.weight, c.link);
     text += line.data();
   }
   return text;

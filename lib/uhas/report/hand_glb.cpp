@@ -19,7 +19,7 @@
 namespace uhas {
 namespace {
 
-constexpr int kRings = 24;  // of the sphere's mesh, from pole to pole; twice as many steps around
+constexpr int kRings = 24;            // of the sphere's mesh, from pole to pole; twice as many steps around
 constexpr double kAxisLength = 1.25;  // sphere radii
 
 /// Corners, their colours (as many or none) and the primitives between them, all of one kind.
@@ -35,7 +35,8 @@ struct Shape {
 
 Shape link_shape(const std::string& name, const TriangleMesh& mesh, const RigidTransformd& T_sphere_link) {
   Shape shape{.name = name, .positions = mesh.vertices, .T_sphere_shape = T_sphere_link};
-  for (const auto& triangle : mesh.triangles) shape.corners.insert(shape.corners.end(), triangle.begin(), triangle.end());
+  for (const auto& triangle : mesh.triangles)
+    shape.corners.insert(shape.corners.end(), triangle.begin(), triangle.end());
   return shape;
 }
 
@@ -52,7 +53,8 @@ Shape sphere_shape(const HandProfile& profile) {
   const auto at = [](int ring, int step) { return static_cast<std::uint32_t>(ring * (2 * kRings + 1) + step); };
   for (int ring = 0; ring < kRings; ++ring) {
     for (int step = 0; step < 2 * kRings; ++step) {
-      const std::uint32_t a = at(ring, step), b = at(ring + 1, step), c = at(ring + 1, step + 1), d = at(ring, step + 1);
+      const std::uint32_t a = at(ring, step), b = at(ring + 1, step), c = at(ring + 1, step + 1),
+                          d = at(ring, step + 1);
       if (ring < kRings - 1) shape.corners.insert(shape.corners.end(), {a, c, b});
       if (ring > 0) shape.corners.insert(shape.corners.end(), {a, d, c});
     }
@@ -104,8 +106,8 @@ std::unique_ptr<aiMesh> to_assimp(const Shape& shape, unsigned material) {
   if (!shape.colours.empty()) {
     mesh->mColors[0] = new aiColor4D[shape.colours.size()];
     std::ranges::transform(shape.colours, mesh->mColors[0], [&](const std::array<double, 3>& colour) {
-      return aiColor4D(static_cast<ai_real>(colour[0]), static_cast<ai_real>(colour[1]), static_cast<ai_real>(colour[2]),
-                       static_cast<ai_real>(shape.opacity));
+      return aiColor4D(static_cast<ai_real>(colour[0]), static_cast<ai_real>(colour[1]),
+                       static_cast<ai_real>(colour[2]), static_cast<ai_real>(shape.opacity));
     });
   }
   const auto n = static_cast<unsigned>(shape.corners_of_primitive);

@@ -11,11 +11,12 @@ namespace uhas {
 namespace {
 
 constexpr int kPlotsInRow = 3;
-constexpr double kCellWidth = 300, kCellHeight = 240;                       // px
-constexpr double kLeft = 56, kRight = 16, kTop = 40, kBottom = 44;          // margins of a plot in its cell
+constexpr double kCellWidth = 300, kCellHeight = 240;               // px
+constexpr double kLeft = 56, kRight = 16, kTop = 40, kBottom = 44;  // margins of a plot in its cell
 constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr const char* kStyle =
-    "text{font:12px sans-serif;fill:#222}.title{font-weight:bold}.tick{font-size:10px;fill:#555}.frame{fill:none;stroke:#999}"
+    "text{font:12px "
+    "sans-serif;fill:#222}.title{font-weight:bold}.tick{font-size:10px;fill:#555}.frame{fill:none;stroke:#999}"
     ".grid{stroke:#ddd}.curve{fill:none;stroke:#0b6e99;stroke-width:2}.neutral{fill:#d1495b}";
 
 std::string number(double x, int decimals = 2) {
@@ -67,7 +68,8 @@ std::string text_at(double x, double y, const char* attributes, const std::strin
 }
 
 std::string line(double x0, double y0, double x1, double y1) {
-  return "<line class=\"grid\" x1=\"" + number(x0) + "\" y1=\"" + number(y0) + "\" x2=\"" + number(x1) + "\" y2=\"" + number(y1) + "\"/>\n";
+  return "<line class=\"grid\" x1=\"" + number(x0) + "\" y1=\"" + number(y0) + "\" x2=\"" + number(x1) + "\" y2=\"" +
+         number(y1) + "\"/>\n";
 }
 
 struct Plot {
@@ -96,7 +98,8 @@ std::string draw(const Plot& plot, double x0, double y0) {
   std::vector<double> q, theta;
   for (const double value : plot.table->q) q.push_back(value * kDegrees);
   for (const double value : plot.table->theta) theta.push_back(value * kDegrees);
-  const Axis x = axis_over(q, x0 + kLeft, x0 + kCellWidth - kRight), y = axis_over(theta, y0 + kCellHeight - kBottom, y0 + kTop);
+  const Axis x = axis_over(q, x0 + kLeft, x0 + kCellWidth - kRight),
+             y = axis_over(theta, y0 + kCellHeight - kBottom, y0 + kTop);
 
   std::string text = text_at(x0 + kLeft, y0 + 18, "class=\"title\"", plot.title);
   text += text_at(x0 + kLeft, y0 + 33, "class=\"tick\"", plot.note);
@@ -108,14 +111,15 @@ std::string draw(const Plot& plot, double x0, double y0) {
     text += line(x.first, y(tick), x.last, y(tick));
     text += text_at(x.first - 5, y(tick) + 4, "class=\"tick\" text-anchor=\"end\"", number(tick, 0));
   }
-  text += "<rect class=\"frame\" x=\"" + number(x.first) + "\" y=\"" + number(y.last) + "\" width=\"" + number(x.last - x.first) +
-          "\" height=\"" + number(y.first - y.last) + "\"/>\n<polyline class=\"curve\" points=\"";
+  text += "<rect class=\"frame\" x=\"" + number(x.first) + "\" y=\"" + number(y.last) + "\" width=\"" +
+          number(x.last - x.first) + "\" height=\"" + number(y.first - y.last) +
+          "\"/>\n<polyline class=\"curve\" points=\"";
   for (std::size_t i = 0; i < q.size(); ++i) text += (i ? " " : "") + number(x(q[i])) + "," + number(y(theta[i]));
   text += "\"/>\n<circle class=\"neutral\" r=\"4\" cx=\"" + number(x(plot.table->neutral * kDegrees)) + "\" cy=\"" +
           number(y(plot.table->theta_initial * kDegrees)) + "\"/>\n";
   text += text_at((x.first + x.last) / 2, y.first + 30, "text-anchor=\"middle\"", "joint, degrees");
-  const std::string turn = "text-anchor=\"middle\" transform=\"rotate(-90 " + number(x0 + 16) + " " +
-                           number((y.first + y.last) / 2) + ")\"";
+  const std::string turn =
+      "text-anchor=\"middle\" transform=\"rotate(-90 " + number(x0 + 16) + " " + number((y.first + y.last) / 2) + ")\"";
   return text + text_at(x0 + 16, (y.first + y.last) / 2, turn.c_str(), "azimuth \u03b8, degrees");
 }
 
@@ -124,9 +128,11 @@ std::string draw(const Plot& plot, double x0, double y0) {
 std::string lateral_tables_svg(const HandProfile& profile) {
   const std::vector<Plot> plots = plots_of(profile);
   const int rows = std::max(1, (static_cast<int>(plots.size()) + kPlotsInRow - 1) / kPlotsInRow);
-  const std::string size = "width=\"" + number(kPlotsInRow * kCellWidth, 0) + "\" height=\"" + number(rows * kCellHeight, 0) + "\"";
-  std::string text = "<svg xmlns=\"http://www.w3.org/2000/svg\" " + size + ">\n<title>Lateral tables of " + escaped(profile.hand) +
-                     "</title>\n<style>" + kStyle + "</style>\n<rect " + size + " fill=\"#fff\"/>\n";
+  const std::string size =
+      "width=\"" + number(kPlotsInRow * kCellWidth, 0) + "\" height=\"" + number(rows * kCellHeight, 0) + "\"";
+  std::string text = "<svg xmlns=\"http://www.w3.org/2000/svg\" " + size + ">\n<title>Lateral tables of " +
+                     escaped(profile.hand) + "</title>\n<style>" + kStyle + "</style>\n<rect " + size +
+                     " fill=\"#fff\"/>\n";
   if (plots.empty()) text += text_at(kLeft, kTop, "", profile.hand + " has no lateral joint: delta theta is ignored");
   for (int i = 0; i < static_cast<int>(plots.size()); ++i)
     text += draw(plots[i], (i % kPlotsInRow) * kCellWidth, (i / kPlotsInRow) * kCellHeight);

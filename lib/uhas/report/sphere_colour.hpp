@@ -5,8 +5,9 @@
 
 namespace uhas {
 
-/// Linear red, green and blue, [0, 1]: the hue follows the canonical azimuth `theta` (rad), the lightness falls with the polar angle
-/// `phi` (rad) from the palm pole on. All hues have one chroma, so that no azimuth stands out; it fades at the poles, where all azimuths meet.
+/// Linear red, green and blue, [0, 1]: the hue follows the canonical azimuth `theta` (rad), the lightness falls with
+/// the polar angle `phi` (rad) from the palm pole on. All hues have one chroma, so that no azimuth stands out; it fades
+/// at the poles, where all azimuths meet.
 std::array<double, 3> sphere_colour(double theta, double phi);
 
 /// The same for files that hold sRGB bytes.

@@ -7,8 +7,8 @@
 
 namespace uhas {
 
-/// What the numbers of an action mean. Data, so that a policy trained elsewhere runs without a change of code; the default is
-/// uhas' own. For another convention read "input" for d_r and d_theta below.
+/// What the numbers of an action mean. Data, so that a policy trained elsewhere runs without a change of code; the
+/// default is uhas' own. For another convention read "input" for d_r and d_theta below.
 struct ActionConvention {
   bool absolute_radii = false;    ///< radial inputs are radii of the sphere (1 = undeformed) instead of displacements from it
   bool held_toward_pole = false;  ///< the first driving vector's displacement holds from the palm pole on, instead of 0 at the
@@ -19,10 +19,10 @@ struct ActionConvention {
   friend bool operator==(const ActionConvention&, const ActionConvention&) = default;
 };
 
-/// One action, caller-owned: [d_theta_0 .. d_theta_4, d_r_00 .. d_r_0(V-1), d_r_10 ..], slots pinky, ring, middle, index, thumb.
-/// d_theta: rad, positive with the canonical azimuth, clamped to the bounds of the finger's lateral table.
-/// d_r: displacement in sphere radii, 0 = undeformed, clamped to [-2, 2].
-/// The last three members are for domain randomisation (paper, appendix on training): they change the action space of one call.
+/// One action, caller-owned: [d_theta_0 .. d_theta_4, d_r_00 .. d_r_0(V-1), d_r_10 ..], slots pinky, ring, middle,
+/// index, thumb. d_theta: rad, positive with the canonical azimuth, clamped to the bounds of the finger's lateral
+/// table. d_r: displacement in sphere radii, 0 = undeformed, clamped to [-2, 2]. The last three members are for domain
+/// randomisation (paper, appendix on training): they change the action space of one call.
 template <class Real>
 struct Action {
   std::span<const Real> values;                 ///< [5 + 5 V], V = 1..4

@@ -1,9 +1,8 @@
-#include "uhas/runtime/cascade_lead_detail.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "uhas/runtime/cascade_lead_detail.hpp"
 #include "uhas/runtime/damped_least_squares_detail.hpp"
 
 namespace uhas {
@@ -27,7 +26,8 @@ class FingerAtRest {
     for (const SolverPoint<Real>& point : model.points) {
       if (point.finger != finger) continue;
       points_.push_back({point.joint, T_S_joint_[point.joint] * point.p.template cast<double>(),
-                         point.direction.template cast<double>(), lead_shares(double(point.phi)), double(point.weight)});
+                         point.direction.template cast<double>(), lead_shares(double(point.phi)),
+                         double(point.weight)});
     }
   }
 
@@ -45,7 +45,7 @@ class FingerAtRest {
         motion[s] = motion_of(*steps_[s], point);
         stiffest += point.weight * dot(motion[s], motion[s]);
       }
-      for (double Vector3d::* axis : {&Vector3d::x, &Vector3d::y, &Vector3d::z}) {
+      for (double Vector3d::*axis : {&Vector3d::x, &Vector3d::y, &Vector3d::z}) {
         std::array<double, kMostUnknowns> row{};
         for (int s = 0; s < n; ++s) row[s] = motion[s].*axis;
         for (int u = 0; u < kLeadInputs; ++u)
@@ -61,7 +61,8 @@ class FingerAtRest {
     return moves;
   }
 
-  /// What step `s` does in the cascade's own fit of a single turning joint, when the steps before it have made their `moves`.
+  /// What step `s` does in the cascade's own fit of a single turning joint, when the steps before it have made their
+  /// `moves`.
   std::array<double, kLeadInputs> own_move(int s, std::span<const std::array<double, kLeadInputs>> moves,
                                            double decay) const {
     const int joint = steps_[s]->joint;

@@ -9,12 +9,13 @@
 
 namespace uhas {
 
-/// Where a joint looks at the displacement to lead its fit (cascade_lead_detail.hpp): at the angles of two driving vectors.
+/// Where a joint looks at the displacement to lead its fit (cascade_lead_detail.hpp): at the angles of two driving
+/// vectors.
 inline constexpr int kLeadInputs = 2;
 constexpr std::array<double, kLeadInputs> kLeadAngles{std::numbers::pi / 3, 2 * std::numbers::pi / 3};
 
-/// What it makes of a displacement: all of a small one, ever less of a larger one, of which first order knows little, and no
-/// more from `bound` on, smoothly.
+/// What it makes of a displacement: all of a small one, ever less of a larger one, of which first order knows little,
+/// and no more from `bound` on, smoothly.
 template <class Num>
 Num lead_input(Num delta_r) {
   using Real = LaneReal<Num>;

@@ -1,5 +1,3 @@
-#include "uhas/runtime/solver_model_detail.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -12,6 +10,7 @@
 #include "uhas/runtime/action_decoder_detail.hpp"
 #include "uhas/runtime/axis_frame_detail.hpp"
 #include "uhas/runtime/cascade_lead_detail.hpp"
+#include "uhas/runtime/solver_model_detail.hpp"
 
 namespace uhas {
 namespace {
@@ -57,7 +56,8 @@ SolverJoint<Real> compile_joint(const HandProfile& profile, const SolveOptions& 
                      closes_upward ? compiled.lower.q : compiled.upper.q};
   compiled.master = joint.mimic_master;
   if (joint.mimic_master >= 0) {
-    const double master_unit = profile.tree.joints[joint.mimic_master].kind == JointKind::prismatic ? profile.radius : 1.0;
+    const double master_unit =
+        profile.tree.joints[joint.mimic_master].kind == JointKind::prismatic ? profile.radius : 1.0;
     compiled.multiplier = static_cast<Real>(joint.mimic_multiplier * master_unit / unit);
     compiled.offset = static_cast<Real>(joint.mimic_offset / unit);
   }
@@ -166,7 +166,8 @@ std::vector<SolverPatch<Real>> gather_patches(std::vector<SolverPoint<Real>>& po
   });
   std::vector<SolverPatch<Real>> patches;
   for (std::size_t first = 0, last = 0; first < points.size(); first = last) {
-    while (last < points.size() && points[last].joint == points[first].joint && points[last].finger == points[first].finger)
+    while (last < points.size() && points[last].joint == points[first].joint &&
+           points[last].finger == points[first].finger)
       ++last;
     patches.push_back(compile_patch(points, first, last));
   }
@@ -248,9 +249,11 @@ SolverModel<Real>::SolverModel(const HandProfile& profile, const SolveOptions& s
   }
   step_at.assign(joint_count, -1);
   for (const CascadeStep& step : plan_cascade(profile.tree, finger_joints, classes, q_open)) {
-    if (step.driven.size() == 1 || step.fingers.size() == 1) step_at[step.driven.front()] = static_cast<int>(steps.size());
+    if (step.driven.size() == 1 || step.fingers.size() == 1)
+      step_at[step.driven.front()] = static_cast<int>(steps.size());
     const bool single = step.driven.size() == 1 && step.driven.front() == step.joint;
-    steps.push_back({step, step.fingers.front(), single, nested_joints(step, profile.tree), scope_of(step, profile.tree)});
+    steps.push_back(
+        {step, step.fingers.front(), single, nested_joints(step, profile.tree), scope_of(step, profile.tree)});
   }
 
   for (const ProfileFinger& finger : profile.fingers) {
@@ -263,8 +266,10 @@ SolverModel<Real>::SolverModel(const HandProfile& profile, const SolveOptions& s
   for (int f = 0; f < finger_count; ++f) {
     if (profile.fingers[f].lateral_table < 0) continue;
     const LateralTable& table = profile.lateral_tables[profile.fingers[f].lateral_table];
-    laterals.push_back({table.joint, f, static_cast<Real>(table.delta_theta_lower), static_cast<Real>(table.delta_theta_upper), {}});
-    for (double q : table.inverse_q) laterals.back().inverse_q.push_back(static_cast<Real>(q) / joints[table.joint].unit);
+    laterals.push_back(
+        {table.joint, f, static_cast<Real>(table.delta_theta_lower), static_cast<Real>(table.delta_theta_upper), {}});
+    for (double q : table.inverse_q)
+      laterals.back().inverse_q.push_back(static_cast<Real>(q) / joints[table.joint].unit);
   }
 
   for (int i = 0; i < joint_count; ++i) {
@@ -309,19 +314,22 @@ template <class Real>
 std::shared_ptr<const SolverModel<Real>> compile_solver_model(const HandProfile& profile, const SolveOptions& options) {
   constexpr int max_passes = 100;
   if (options.passes < 1 || options.passes > max_passes)
-    throw Error(ErrorCode::invalid_action, "", "passes is " + std::to_string(options.passes), "choose a number from 1 to 100");
+    throw Error(ErrorCode::invalid_action, "", "passes is " + std::to_string(options.passes),
+                "choose a number from 1 to 100");
   const ActionConvention& convention = options.convention;
   const auto bounded = [](double low, double x, double high) { return x >= low && x <= high; };
   if (std::abs(convention.azimuth_sign) != 1 || !bounded(-kMostRadialBound, convention.radial_lower, 0) ||
       !bounded(0, convention.radial_upper, kMostRadialBound))
-    throw Error(ErrorCode::invalid_action, "", "the action convention has an azimuth sign or radial bounds out of range",
+    throw Error(ErrorCode::invalid_action, "",
+                "the action convention has an azimuth sign or radial bounds out of range",
                 "choose a sign of 1 or -1 and bounds lower <= 0 <= upper");
   validate_profile(profile, "");
   return std::make_shared<const SolverModel<Real>>(profile, options);
 }
 
 template std::shared_ptr<const SolverModel<float>> compile_solver_model<float>(const HandProfile&, const SolveOptions&);
-template std::shared_ptr<const SolverModel<double>> compile_solver_model<double>(const HandProfile&, const SolveOptions&);
+template std::shared_ptr<const SolverModel<double>> compile_solver_model<double>(const HandProfile&,
+                                                                                 const SolveOptions&);
 template struct SolverModel<float>;
 template struct SolverModel<double>;
 

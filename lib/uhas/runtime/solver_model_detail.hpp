@@ -1,5 +1,6 @@
 // The constant half of the solver: a profile compiled for one number type.
-// Lengths are in sphere radii and every joint's axis is the z of its frame: both make the arithmetic of a solve shorter.
+// Lengths are in sphere radii and every joint's axis is the z of its frame: both make the arithmetic of a solve
+// shorter.
 #pragma once
 
 #include <array>
@@ -87,8 +88,8 @@ struct PointColumns {
   std::array<std::vector<Real>, 3> p, direction;
 };
 
-/// The points of one finger on one joint: [first, last), by polar angle. Where no point fades, targets are linear in the
-/// displacement, which is linear in phi between driving vectors: two sets of sums take the place of the points.
+/// The points of one finger on one joint: [first, last), by polar angle. Where no point fades, targets are linear in
+/// the displacement, which is linear in phi between driving vectors: two sets of sums take the place of the points.
 template <class Real>
 struct SolverPatch {
   int joint{}, finger{};
@@ -108,8 +109,8 @@ struct SolverLateral {
   std::vector<Real> inverse_q;
 };
 
-/// A joint of a part of the tree; `inner` says that its parent belongs to that part too and moves with a step, so that the
-/// parent carries its points.
+/// A joint of a part of the tree; `inner` says that its parent belongs to that part too and moves with a step, so that
+/// the parent carries its points.
 struct ScopedJoint {
   int joint;
   bool inner;
@@ -123,8 +124,8 @@ struct SolverStep : CascadeStep {
   std::vector<ScopedJoint> scope;  ///< driven joints and all joints further out, in tree order
 };
 
-/// A part of the hand that no other part moves: a finger, or fingers that share a joint. Parts are solved one after the other,
-/// so that the memory one needs stays near.
+/// A part of the hand that no other part moves: a finger, or fingers that share a joint. Parts are solved one after the
+/// other, so that the memory one needs stays near.
 struct SolverPart {
   std::vector<ScopedJoint> tree;      ///< its joints, in tree order
   std::vector<int> fingers;
@@ -165,8 +166,8 @@ struct SolverModel {
   std::vector<int> group_of_finger;            ///< [finger] index into `plane_groups`
 };
 
-/// Throws Error: invalid_profile for a profile that `validate_profile` refuses, invalid_action for passes or numbers of the
-/// convention out of range.
+/// Throws Error: invalid_profile for a profile that `validate_profile` refuses, invalid_action for passes or numbers of
+/// the convention out of range.
 template <class Real>
 std::shared_ptr<const SolverModel<Real>> compile_solver_model(const HandProfile& profile, const SolveOptions& options);
 

@@ -1,4 +1,6 @@
 // Whatever work does to its process, the caller gets its bytes or an Error.
+#include "uhas/base/child_process.hpp"
+
 #include <doctest/doctest.h>
 #include <signal.h>
 #include <unistd.h>
@@ -12,7 +14,6 @@
 
 #include "support/error_check.hpp"
 #include "support/scratch_folder.hpp"
-#include "uhas/base/child_process.hpp"
 
 using namespace uhas;
 using namespace uhas::test;
@@ -48,10 +49,10 @@ TEST_CASE("what the child does to memory is undone with it") {
 }
 
 TEST_CASE("an Error keeps its code and words, any other exception its words") {
-  check_error(ErrorCode::unsupported_version, "a.h5: too new; update", [] {
-    run([]() -> Bytes { throw Error(ErrorCode::unsupported_version, "a.h5", "too new", "update"); });
-  });
-  check_error(ErrorCode::invalid_mesh, "of the library", [] { run([]() -> Bytes { throw std::runtime_error("of the library"); }); });
+  check_error(ErrorCode::unsupported_version, "a.h5: too new; update",
+              [] { run([]() -> Bytes { throw Error(ErrorCode::unsupported_version, "a.h5", "too new", "update"); }); });
+  check_error(ErrorCode::invalid_mesh, "of the library",
+              [] { run([]() -> Bytes { throw std::runtime_error("of the library"); }); });
 }
 
 TEST_CASE("a crash is an error that names the file and the cause") {
@@ -69,18 +70,19 @@ TEST_CASE("a crash is an error that names the file and the cause") {
 TEST_CASE("a hang is ended") {
   const auto start = std::chrono::steady_clock::now();
   check_error(ErrorCode::limit_exceeded, "some.file: cannot be read within 0 s", [] {
-    run([]() -> Bytes {
-      for (;;) std::this_thread::sleep_for(std::chrono::seconds(1));
-    }, {.max_seconds = 0.2});
+    run(
+        []() -> Bytes {
+          for (;;) std::this_thread::sleep_for(std::chrono::seconds(1));
+        },
+        {.max_seconds = 0.2});
   });
   CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(20));
 }
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // whose malloc ends the process instead
 TEST_CASE("boundless memory is refused") {
-  check_error(ErrorCode::limit_exceeded, "some.file: cannot be read within 60 s and 64 MiB of memory", [] {
-    run([] { return Bytes(256u << 20); }, {.max_memory_bytes = 64u << 20});
-  });
+  check_error(ErrorCode::limit_exceeded, "some.file: cannot be read within 60 s and 64 MiB of memory",
+              [] { run([] { return Bytes(256u << 20); }, {.max_memory_bytes = 64u << 20}); });
 }
 #endif
 

@@ -12,9 +12,12 @@ TriangleMesh cube(Vector3d center) {
   TriangleMesh mesh;
   for (int k = 0; k < 8; ++k)
     mesh.vertices.push_back(center + 0.75 * Vector3d{k & 1 ? 1.0 : -1.0, k & 2 ? 1.0 : -1.0, k & 4 ? 1.0 : -1.0});
-  for (const std::array<int, 4>& side : {std::array{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
-    mesh.triangles.push_back({static_cast<std::uint32_t>(side[0]), static_cast<std::uint32_t>(side[1]), static_cast<std::uint32_t>(side[2])});
-    mesh.triangles.push_back({static_cast<std::uint32_t>(side[0]), static_cast<std::uint32_t>(side[2]), static_cast<std::uint32_t>(side[3])});
+  for (const std::array<int, 4>& side :
+       {std::array{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
+    mesh.triangles.push_back({static_cast<std::uint32_t>(side[0]), static_cast<std::uint32_t>(side[1]),
+                              static_cast<std::uint32_t>(side[2])});
+    mesh.triangles.push_back({static_cast<std::uint32_t>(side[0]), static_cast<std::uint32_t>(side[2]),
+                              static_cast<std::uint32_t>(side[3])});
   }
   return mesh;
 }
@@ -52,7 +55,8 @@ TEST_CASE("two cubes on slides meet when both have come in by their gap") {
 
 TEST_CASE("without geometry nothing is said of collisions, and numbers out of range are refused") {
   const HandProfile profile = test::slider_profile();
-  CHECK_FALSE(evaluate_hand(profile, nullptr, {.battery = {.actions = 5}, .smoothness_lines = 0}).collision.has_value());
+  CHECK_FALSE(
+      evaluate_hand(profile, nullptr, {.battery = {.actions = 5}, .smoothness_lines = 0}).collision.has_value());
   CHECK_THROWS_AS(evaluate_hand(profile, nullptr, {.battery = {.actions = 0}}), Error);
   CHECK_THROWS_AS(evaluate_hand(profile, nullptr, {.threads = 0}), Error);
 }

@@ -1,3 +1,5 @@
+#include "uhas/evaluation/fit.hpp"
+
 #include <doctest/doctest.h>
 
 #include <numbers>
@@ -7,7 +9,6 @@
 #include "support/slider_profile.hpp"
 #include "uhas/evaluation/action_space_detail.hpp"
 #include "uhas/evaluation/battery.hpp"
-#include "uhas/evaluation/fit.hpp"
 #include "uhas/evaluation/least_squares_detail.hpp"
 
 using namespace uhas;
@@ -16,8 +17,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Two points of a slide along x, 30 degrees to either side of it, are to move by d0 and d1 along their radii. With x by q the
-/// squared distances are (d c - q)^2 + (d s)^2, c = cos 30, s = sin 30: least at q = c (d0 + d1) / 2.
+/// Two points of a slide along x, 30 degrees to either side of it, are to move by d0 and d1 along their radii. With x
+/// by q the squared distances are (d c - q)^2 + (d s)^2, c = cos 30, s = sin 30: least at q = c (d0 + d1) / 2.
 double best_rms(double d0, double d1) {
   const double c = std::cos(kPi / 6), s = std::sin(kPi / 6), q = c * (d0 + d1) / 2;
   return std::sqrt(((d0 * c - q) * (d0 * c - q) + (d1 * c - q) * (d1 * c - q) + (d0 * d0 + d1 * d1) * s * s) / 2);
@@ -27,7 +28,8 @@ double best_rms(double d0, double d1) {
 
 TEST_CASE("one slide is solved at its optimum, whose residual is known") {
   const HandProfile profile = test::slider_profile({kPi / 3, 2 * kPi / 3});
-  const std::vector<std::vector<double>> battery = random_battery(profile, {.actions = 200, .radial_bound = 0.4, .seed = 5});
+  const std::vector<std::vector<double>> battery =
+      random_battery(profile, {.actions = 200, .radial_bound = 0.4, .seed = 5});
   const std::vector<SolveOptions> solves{{.passes = 1}, {.passes = 3}};
   const FitScore score = measure_fit(profile, battery, solves, 2);
 
@@ -54,7 +56,8 @@ TEST_CASE("one slide is solved at its optimum, whose residual is known") {
 
 TEST_CASE("the contact rule stops where the fingertip meets the sphere, off the optimum by a known ratio") {
   const HandProfile profile = test::slider_profile({kPi / 3, 2 * kPi / 3});
-  const std::vector<std::vector<double>> battery = random_battery(profile, {.actions = 100, .radial_bound = 0.4, .seed = 6});
+  const std::vector<std::vector<double>> battery =
+      random_battery(profile, {.actions = 100, .radial_bound = 0.4, .seed = 6});
   const std::vector<SolveOptions> solves{{.rule = Rule::contact}};
   const FitScore score = measure_fit(profile, battery, solves, 1);
   std::vector<double> ratios;

@@ -37,7 +37,8 @@ TEST_CASE("starts that agree are an optimum that can be trusted") {
   std::vector<LeastSquares> problems = LeastSquares::of_hand(profile);
   problems[0].set_action(squeezed(-0.2));
   // at q the squared distance is (0.5 cos q + 0.5 - 0.8)^2 + (0.5 sin q)^2 = 0.34 - 0.3 cos q
-  const Optimum optimum = find_optimum(profile, problems[0], std::vector<std::vector<double>>{{0.7, 0}, {-0.9, 0}, {1.2, 0}});
+  const Optimum optimum =
+      find_optimum(profile, problems[0], std::vector<std::vector<double>>{{0.7, 0}, {-0.9, 0}, {1.2, 0}});
   CHECK(optimum.rms == doctest::Approx(0.2));
   CHECK(optimum.second_rms == doctest::Approx(0.2));
   CHECK(optimum.q[0] == doctest::Approx(0).epsilon(1e-5));

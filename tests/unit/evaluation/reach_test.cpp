@@ -1,8 +1,9 @@
+#include "uhas/evaluation/reach.hpp"
+
 #include <doctest/doctest.h>
 
 #include "support/slider_profile.hpp"
 #include "uhas/evaluation/battery.hpp"
-#include "uhas/evaluation/reach.hpp"
 
 using namespace uhas;
 
@@ -40,7 +41,8 @@ TEST_CASE("a finger that cannot move has dead inputs") {
 
 TEST_CASE("joints at a limit are counted") {
   const HandProfile profile = test::slider_profile();
-  const std::vector<std::vector<double>> battery = random_battery(profile, {.actions = 500, .radial_bound = 1, .seed = 3});
+  const std::vector<std::vector<double>> battery =
+      random_battery(profile, {.actions = 500, .radial_bound = 1, .seed = 3});
   int beyond[2] = {};
   for (const std::vector<double>& action : battery)
     for (int f = 0; f < 2; ++f) {

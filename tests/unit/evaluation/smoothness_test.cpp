@@ -1,7 +1,8 @@
+#include "uhas/evaluation/smoothness.hpp"
+
 #include <doctest/doctest.h>
 
 #include "support/slider_profile.hpp"
-#include "uhas/evaluation/smoothness.hpp"
 
 using namespace uhas;
 
@@ -34,7 +35,8 @@ TEST_CASE("hard closing is found to jump, and how far") {
 
 TEST_CASE("the same lines for any number of threads") {
   const HandProfile profile = test::small_profile();
-  const SmoothnessScore one = measure_smoothness(profile, {.lines = 30, .threads = 1}), three = measure_smoothness(profile, {.lines = 30, .threads = 3});
+  const SmoothnessScore one = measure_smoothness(profile, {.lines = 30, .threads = 1}),
+                        three = measure_smoothness(profile, {.lines = 30, .threads = 3});
   REQUIRE(one.radial.size() == three.radial.size());
   REQUIRE(!one.azimuth.empty());
   for (std::size_t k = 0; k < one.radial.size(); ++k) {

@@ -1,10 +1,11 @@
+#include "uhas/evaluation/surface.hpp"
+
 #include <doctest/doctest.h>
 
 #include <numbers>
 
 #include "support/slider_profile.hpp"
 #include "uhas/evaluation/battery.hpp"
-#include "uhas/evaluation/surface.hpp"
 
 using namespace uhas;
 
@@ -16,7 +17,8 @@ constexpr double kPi = std::numbers::pi;
 
 TEST_CASE("a slide keeps its point as far off the sphere as it was, within its limits") {
   const HandProfile profile = test::slider_profile({kPi / 2}, 1.1);
-  const std::vector<std::vector<double>> battery = random_battery(profile, {.actions = 50, .radial_bound = 0.5, .seed = 1});
+  const std::vector<std::vector<double>> battery =
+      random_battery(profile, {.actions = 50, .radial_bound = 0.5, .seed = 1});
   const SurfaceScore score = measure_surface(profile, battery, 2);
   CHECK(score.at_rest.worst == doctest::Approx(0.1));
   CHECK(score.deformed.median == doctest::Approx(0.1));

@@ -11,7 +11,8 @@ using namespace uhas::test;
 TEST_CASE("each link of a profile gets the mesh of the model's link of that name") {
   HandModel model = make_toy_hand();
   HandProfile profile;
-  for (auto link = model.links.rbegin(); link != model.links.rend(); ++link) profile.links.push_back({link->name, -1, {}});
+  for (auto link = model.links.rbegin(); link != model.links.rend(); ++link)
+    profile.links.push_back({link->name, -1, {}});
 
   const HandGeometry geometry = hand_geometry(profile, model, "hand.urdf");
   REQUIRE(geometry.links.size() == model.links.size());

@@ -15,7 +15,8 @@ constexpr double kRadius = 0.02;  // m
 TriangleMesh make_sphere(int n) {
   const auto point = [n](int ring, int step) {
     const double phi = std::numbers::pi * ring / n, theta = std::numbers::pi * (step % (2 * n)) / n;
-    return kRadius * Vector3d{std::sin(phi) * std::cos(theta), std::sin(phi) * std::sin(theta), ring == n ? -1 : std::cos(phi)};
+    return kRadius *
+           Vector3d{std::sin(phi) * std::cos(theta), std::sin(phi) * std::sin(theta), ring == n ? -1 : std::cos(phi)};
   };
   TriangleMesh mesh;
   const auto add = [&mesh](Vector3d a, Vector3d b, Vector3d c) {
@@ -25,7 +26,8 @@ TriangleMesh make_sphere(int n) {
   };
   for (int ring = 0; ring < n; ++ring) {
     for (int step = 0; step < 2 * n; ++step) {
-      const Vector3d a = point(ring, step), b = point(ring + 1, step), c = point(ring + 1, step + 1), d = point(ring, step + 1);
+      const Vector3d a = point(ring, step), b = point(ring + 1, step), c = point(ring + 1, step + 1),
+                     d = point(ring, step + 1);
       if (ring < n - 1) add(a, b, c);
       if (ring > 0) add(a, c, d);
     }

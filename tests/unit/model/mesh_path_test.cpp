@@ -154,7 +154,8 @@ TEST_CASE("the buffer of a glTF file may not lie outside either") {
               {"a.gltf"});
   LoadOptions anywhere;
   anywhere.allow_outside = true;
-  CHECK(load_with_mesh(folder, "../meshes/a.gltf", anywhere, "model/urdf/hand.urdf").links[0].mesh.triangles.size() == 4);
+  CHECK(load_with_mesh(folder, "../meshes/a.gltf", anywhere, "model/urdf/hand.urdf").links[0].mesh.triangles.size() ==
+        4);
 }
 
 TEST_CASE("untrusted meshes are the same meshes and sources") {

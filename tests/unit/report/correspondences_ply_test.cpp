@@ -30,8 +30,8 @@ TEST_CASE("a PLY file has a point for each correspondence, where its sphere coor
     if (keyword == "element") count = std::stoul(name);
     if (keyword == "property") properties.push_back(name);
   }
-  CHECK(properties == std::vector<std::string>{"x", "y", "z", "nx", "ny", "nz", "red", "green", "blue", "theta", "phi", "rho",
-                                               "weight", "link"});
+  CHECK(properties == std::vector<std::string>{"x", "y", "z", "nx", "ny", "nz", "red", "green", "blue", "theta", "phi",
+                                               "rho", "weight", "link"});
   REQUIRE(count == profile.correspondences.size());
 
   for (const Correspondence& c : profile.correspondences) {

@@ -84,7 +84,8 @@ TEST_CASE("a GLB file has the posed links, the points, the axes and the sphere")
       const double azimuth = profile.mirrored ? -c.theta : c.theta;
       check_near(points.point(i), shown(from_spherical<double>({azimuth, c.phi, c.rho * profile.radius})));
       if (c.link == 0) continue;  // a link's node carries its points to the same place
-      const aiVector3D p(static_cast<float>(c.p_link.x), static_cast<float>(c.p_link.y), static_cast<float>(c.p_link.z));
+      const aiVector3D p(static_cast<float>(c.p_link.x), static_cast<float>(c.p_link.y),
+                         static_cast<float>(c.p_link.z));
       const aiVector3D carried = parts.at(profile.links[c.link].name).T_viewer_part * p;
       check_near(points.point(i), {carried.x, carried.y, carried.z});
     }

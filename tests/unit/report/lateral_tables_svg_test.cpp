@@ -17,7 +17,8 @@ namespace {
 /// Elements below `parent` by their names.
 std::multimap<std::string, const TiXmlElement*> elements(const TiXmlElement& parent) {
   std::multimap<std::string, const TiXmlElement*> found;
-  for (const TiXmlElement* e = parent.FirstChildElement(); e; e = e->NextSiblingElement()) found.emplace(e->ValueStr(), e);
+  for (const TiXmlElement* e = parent.FirstChildElement(); e; e = e->NextSiblingElement())
+    found.emplace(e->ValueStr(), e);
   return found;
 }
 

@@ -1,7 +1,7 @@
-// The real-time path allocates nothing, failures included: malloc, which operator new calls, is counted over 10,000 calls.
-#include <doctest/doctest.h>
-
+// The real-time path allocates nothing, failures included: malloc, which operator new calls, is counted over 10,000
+// calls.
 #include <dlfcn.h>
+#include <doctest/doctest.h>
 
 #include <atomic>
 #include <cstddef>
@@ -66,7 +66,8 @@ TEST_CASE("counting sees operator new and malloc") {
 TEST_CASE("10,000 solves allocate nothing") {
   for (Rule rule : {Rule::correspondence, Rule::contact}) {
     for (FieldReading field : {FieldReading::finger, FieldReading::field}) {
-      CascadeSolver<double> solver(test::small_profile(), {.rule = rule, .closing = Closing::fade, .field = field, .passes = 3});
+      CascadeSolver<double> solver(test::small_profile(),
+                                   {.rule = rule, .closing = Closing::fade, .field = field, .passes = 3});
       std::vector<double> q(solver.joint_count());
       std::vector<std::uint8_t> at_limit(q.size()), closed(q.size());
       SolveReport report{.residual_rms = 0, .at_limit = at_limit, .closed = closed};
@@ -78,8 +79,7 @@ TEST_CASE("10,000 solves allocate nothing") {
       int refused = 0;
       allocations = 0;
       counting = true;
-      for (int n = 0; n < 2500; ++n)
-        refused += solver.solve({.values = actions[n % 100]}, q, report) != Status::ok;
+      for (int n = 0; n < 2500; ++n) refused += solver.solve({.values = actions[n % 100]}, q, report) != Status::ok;
       counting = false;
       CHECK(allocations == 0);
       CHECK(refused == 50);

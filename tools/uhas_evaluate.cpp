@@ -53,21 +53,6 @@ std::string label_of(const std::vector<ProfileFile>& files, const ProfileFile& f
   return same == 1 ? file.profile.hand : file.profile.hand + " (" + file.path + ")";
 }
 
-/// The meshes of each hand; empty ones, and a warning, where its model is not to be found.
-std::vector<HandGeometry> load_geometries(const Tool& tool, std::span<const ProfileFile> files,
-                                          const ModelInput& input) {
-  const std::vector<std::optional<ModelFile>> models = find_models(files, input);
-  std::vector<HandGeometry> geometries;
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    geometries.push_back(models[i] ? hand_geometry(files[i].profile, models[i]->model, models[i]->path)
-                                   : HandGeometry{});
-    if (!models[i])
-      tool.warn(
-          {{files[i].path + ": its model is not here, so self-collision is not scored; name the URDF with --urdf"}});
-  }
-  return geometries;
-}
-
 ExitCode run(Tool& tool) {
   Options options;
   options.evaluation.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
@@ -78,7 +63,8 @@ ExitCode run(Tool& tool) {
 
   std::vector<ProfileFile> files;
   for (const std::string& path : options.profiles) files.push_back({path, read_profile(tool, path)});
-  const std::vector<HandGeometry> geometries = load_geometries(tool, files, options.model);
+  const std::vector<HandGeometry> geometries =
+      find_geometries(tool, files, options.model, "self-collision is not scored");
 
   EvaluationRun run{.options = options.evaluation, .hands = {}};
   for (std::size_t i = 0; i < files.size(); ++i) {

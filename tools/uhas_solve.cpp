@@ -97,7 +97,8 @@ void write_page(const Tool& tool, const Options& options, const ActionsDocument&
                 const SolveOptions& solve) {
   if (solve.convention != ActionConvention{})
     throw Tool::wrong_usage("--html", "shows actions of uhas' own convention only");
-  std::vector<ReportHand> hands = report_hands({&file, 1}, find_geometries(tool, {&file, 1}, options.model));
+  std::vector<ReportHand> hands =
+      report_hands({&file, 1}, find_geometries(tool, {&file, 1}, options.model, "the picture lacks the meshes"));
   hands.front().timeline = {document.actions, document.driving_vectors_phi, document.normalized, solve};
   const std::string page = report_page(hands);
   replace_file(options.html, std::as_bytes(std::span(page)));

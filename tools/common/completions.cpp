@@ -4,15 +4,10 @@
 #include <string_view>
 
 #include "common/command_line.hpp"
+#include "common/table.hpp"
 
 namespace uhas::tools {
 namespace {
-
-std::string joined(const std::vector<std::string>& words, std::string_view separator) {
-  std::string text;
-  for (const std::string& word : words) text.append(text.empty() ? "" : separator).append(word);
-  return text;
-}
 
 /// `text` with a backslash before each of `characters`.
 std::string escaped(const std::string& text, std::string_view characters) {
@@ -43,7 +38,7 @@ std::string zsh_argument(const OptionDescription& option) {
   const std::string message = ":" + escaped(option.argument, ":\\");
   switch (option.kind) {
     case ArgumentKind::none: return "";
-    case ArgumentKind::words: return message + ":(" + joined(option.words, " ") + ")";
+    case ArgumentKind::words: return message + ":(" + join(option.words, " ") + ")";
     case ArgumentKind::file: return message + ":_files";
     case ArgumentKind::other: break;
   }
@@ -53,7 +48,7 @@ std::string zsh_argument(const OptionDescription& option) {
 std::string fish_argument(const OptionDescription& option) {
   switch (option.kind) {
     case ArgumentKind::none: return "";
-    case ArgumentKind::words: return " -x -a " + quoted(joined(option.words, " "));
+    case ArgumentKind::words: return " -x -a " + quoted(join(option.words, " "));
     case ArgumentKind::file: return " -r -F";
     case ArgumentKind::other: break;
   }
@@ -78,13 +73,13 @@ std::string bash_completion(const CommandLine& command_line) {
   for (const OptionDescription& option : command_line.options) {
     names.insert(names.end(), option.names.begin(), option.names.end());
     if (option.kind == ArgumentKind::none) continue;
-    script << "    " << joined(option.names, " | ") << ") ";
+    script << "    " << join(option.names, " | ") << ") ";
     if (option.kind == ArgumentKind::words)
-      script << "COMPREPLY=($(compgen -W " << quoted(joined(option.words, " ")) << " -- \"$word\")); ";
+      script << "COMPREPLY=($(compgen -W " << quoted(join(option.words, " ")) << " -- \"$word\")); ";
     if (option.kind == ArgumentKind::other) script << "compopt +o default; ";
     script << "return ;;\n";
   }
-  script << "  esac\n  if [[ $word == -* ]]; then\n    COMPREPLY=($(compgen -W " << quoted(joined(names, " "))
+  script << "  esac\n  if [[ $word == -* ]]; then\n    COMPREPLY=($(compgen -W " << quoted(join(names, " "))
          << " -- \"$word\"))\n  fi\n}\n";
   // without words of the function, bash completes file names
   script << "complete -o default -F " << function << " " << command_line.tool << "\n";
@@ -97,14 +92,14 @@ std::string zsh_completion(const CommandLine& command_line) {
   for (const OptionDescription& option : command_line.options) {
     const std::string text = "[" + escaped(option.text, "[]\\:") + "]" + zsh_argument(option);
     for (const std::string& name : option.names) {
-      const std::string prefix = option.repeatable ? "*" : "(" + joined(option.names, " ") + ")";
+      const std::string prefix = option.repeatable ? "*" : "(" + join(option.names, " ") + ")";
       const bool takes_equals = option.kind != ArgumentKind::none && name.starts_with("--");
       script << " \\\n  " << quoted(prefix + name + (takes_equals ? "=" : "") + text);
     }
   }
   for (const OptionDescription& positional : command_line.positionals)
     script << " \\\n  "
-           << quoted((positional.repeatable ? "*:" : ":") + escaped(joined(positional.names, ""), ":\\") + ":_files");
+           << quoted((positional.repeatable ? "*:" : ":") + escaped(join(positional.names, ""), ":\\") + ":_files");
   script << "\n";
   return script.str();
 }

@@ -87,15 +87,14 @@ std::vector<std::optional<ModelFile>> find_models(std::span<const ProfileFile> p
 }
 
 std::vector<HandGeometry> find_geometries(const Tool& tool, std::span<const ProfileFile> profiles,
-                                          const ModelInput& input) {
+                                          const ModelInput& input, const std::string& loss) {
   const std::vector<std::optional<ModelFile>> models = find_models(profiles, input);
   std::vector<HandGeometry> geometries;
   for (std::size_t i = 0; i < profiles.size(); ++i) {
     geometries.push_back(models[i] ? hand_geometry(profiles[i].profile, models[i]->model, models[i]->path)
                                    : HandGeometry{});
     if (!models[i])
-      tool.warn(
-          {{profiles[i].path + ": its model is not here, so the picture lacks the meshes; name the URDF with --urdf"}});
+      tool.warn({{profiles[i].path + ": its model is not here, so " + loss + "; name the URDF with --urdf"}});
   }
   return geometries;
 }

@@ -42,8 +42,9 @@ HandModel load_model_of(const HandProfile& profile, const std::string& profile_p
 /// that no profile was built from, or when meshes have changed; what load_hand_model throws.
 std::vector<std::optional<ModelFile>> find_models(std::span<const ProfileFile> profiles, const ModelInput& input);
 
-/// The meshes of these models; empty ones, and a warning, where there is none. Throws as `find_models` and
-/// `hand_geometry`.
-std::vector<HandGeometry> find_geometries(const Tool& tool, std::span<const ProfileFile> profiles, const ModelInput& input);
+/// The meshes of these models; empty ones where there is none, and a warning that says what is lost, for example "the
+/// picture lacks the meshes". Throws as `find_models` and `hand_geometry`.
+std::vector<HandGeometry> find_geometries(const Tool& tool, std::span<const ProfileFile> profiles,
+                                          const ModelInput& input, const std::string& loss);
 
 }  // namespace uhas::tools

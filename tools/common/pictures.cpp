@@ -29,7 +29,7 @@ void write_pictures(const Tool& tool, const PictureFiles& files, std::span<const
   };
   const HandProfile& profile = profiles.front().profile;
   if (!files.html.empty() || !files.glb.empty()) {
-    const std::vector<HandGeometry> geometries = find_geometries(tool, profiles, input);
+    const std::vector<HandGeometry> geometries = find_geometries(tool, profiles, input, "the picture lacks the meshes");
     if (!files.html.empty()) write(files.html, report_page(report_hands(profiles, geometries)));
     if (!files.glb.empty()) write(files.glb, hand_glb(profile, geometries.front(), reference_posture(profile)));
   }

@@ -24,14 +24,13 @@ class Probe {
         solver_(profile),
         T_sphere_palm_(profile.T_palm_sphere.inverse()) {
     q_.resize(profile.tree.joints.size());
-    T_palm_joint_.resize(q_.size());
   }
 
   /// Azimuth of the fingertip, canonical, less that at rest.
   double azimuth(const std::vector<double>& action) {
     pose(action);
-    const ProfileLink& link = profile_.links[finger_.tip_link];
-    const double theta = to_spherical(T_sphere_palm_ * (placed(link) * finger_.p_tip_link)).azimuth;
+    const RigidTransformd& T_palm_tip = T_palm_link_[finger_.tip_link];
+    const double theta = to_spherical(T_sphere_palm_ * (T_palm_tip * finger_.p_tip_link)).azimuth;
     return wrap_angle((profile_.mirrored ? -theta : theta) - finger_.theta_initial);
   }
 
@@ -45,7 +44,7 @@ class Probe {
       const ProfileLink& link = profile_.links[c.link];
       if (c.weight <= 0 || std::ranges::find(finger_.joints, link.joint) == finger_.joints.end()) continue;
       const double share = pattern.at(c.phi);
-      const double rho = norm(T_sphere_palm_ * (placed(link) * c.p_link)) / profile_.radius;
+      const double rho = norm(T_sphere_palm_ * (T_palm_link_[c.link] * c.p_link)) / profile_.radius;
       moved += c.weight * share * (rho - c.rho);
       asked += c.weight * share * share;
     }
@@ -57,10 +56,7 @@ class Probe {
  private:
   void pose(const std::vector<double>& action) {
     solver_.solve({.values = action}, q_);
-    forward_kinematics(profile_.tree, q_, T_palm_joint_);
-  }
-  RigidTransformd placed(const ProfileLink& link) const {
-    return link.joint < 0 ? link.T_joint_link : T_palm_joint_[link.joint] * link.T_joint_link;
+    T_palm_link_ = link_poses(profile_.tree, profile_.links, q_);
   }
 
   const HandProfile& profile_;
@@ -68,7 +64,7 @@ class Probe {
   CascadeSolver<double> solver_;
   RigidTransformd T_sphere_palm_;
   std::vector<double> q_;
-  std::vector<RigidTransformd> T_palm_joint_;
+  std::vector<RigidTransformd> T_palm_link_;
 };
 
 /// Moves an input from zero to either bound. `achieved(x)` is what the hand makes of the value x.

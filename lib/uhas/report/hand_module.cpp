@@ -26,9 +26,8 @@ struct Hand {
   std::vector<double> q;                       // [joint] solved
   std::vector<std::uint8_t> at_limit, closed;  // [joint]
   SolveReport report;
-  std::vector<double> q_shown;                // [joint] to be posed
-  std::vector<RigidTransformd> T_palm_joint;  // [joint]
-  std::vector<float> T_palm_link;             // [link] matrices, column-major
+  std::vector<double> q_shown;     // [joint] to be posed
+  std::vector<float> T_palm_link;  // [link] matrices, column-major
 
   explicit Hand(HandProfile p)
       : profile(std::move(p)),
@@ -39,7 +38,6 @@ struct Hand {
         closed(q.size()),
         report{.residual_rms = 0, .at_limit = at_limit, .closed = closed},
         q_shown(q.size()),
-        T_palm_joint(q.size()),
         T_palm_link(16 * profile.links.size()) {}
 };
 
@@ -117,12 +115,8 @@ UHAS_EXPORT(deform) int deform() { return static_cast<int>(hand->field.deform(cu
 /// Joint values to be posed, and the transforms of the links in the palm's frame at these.
 UHAS_EXPORT(q_shown) double* q_shown() { return hand->q_shown.data(); }
 UHAS_EXPORT(pose) const float* pose() {
-  forward_kinematics(hand->profile.tree, hand->q_shown, hand->T_palm_joint);
-  for (std::size_t i = 0; i < hand->profile.links.size(); ++i) {
-    const ProfileLink& link = hand->profile.links[i];
-    const RigidTransformd T_palm_link =
-        link.joint < 0 ? link.T_joint_link : hand->T_palm_joint[link.joint] * link.T_joint_link;
-    write_matrix(T_palm_link, hand->T_palm_link.data() + 16 * i);
-  }
-  return hand->T_palm_link.data();
+  float* const matrices = hand->T_palm_link.data();
+  const std::vector<RigidTransformd> poses = link_poses(hand->profile.tree, hand->profile.links, hand->q_shown);
+  for (std::size_t i = 0; i < poses.size(); ++i) write_matrix(poses[i], matrices + 16 * i);
+  return matrices;
 }

@@ -153,7 +153,8 @@ void fill_inverse(LateralTable& table) {
 
 /// The table of `joint`, the other lateral joints as in `q`: a first sweep finds the stretch, a second one samples it evenly
 /// about its middle, so that neutral is a sample of its own. A table that drives its finger has no jump in it; one that only
-/// says where a joint's neutral is may have, since nobody runs through it.
+/// says where a joint's neutral is may have, since nobody runs through it. Empty, with neutral in the middle of the limits,
+/// when fewer than three samples run one way.
 LateralTable build_table(const Hand& hand, int joint, int finger, const std::vector<double>& q, int steps, bool drives) {
   const auto stretch_of = [&](const std::vector<Sample>& samples) {
     return widest_monotone_stretch(samples, [&](int k) { return drives && jumps(hand, joint, finger, q, samples[k], samples[k + 1]); });
@@ -164,13 +165,12 @@ LateralTable build_table(const Hand& hand, int joint, int finger, const std::vec
 
   LateralTable table;
   table.joint = joint;
-  if (first == last) {  // the joint does not turn its fingertip about the sphere at all
-    table.neutral = (j.lower + j.upper) / 2;
-    return table;
-  }
+  table.neutral = (j.lower + j.upper) / 2;
+  if (first == last) return table;
   const std::vector<Sample> stretch = sweep(hand, joint, finger, q, whole[first].q, whole[last].q, steps | 1);
   const auto [begin, end] = stretch_of(stretch);
   const int half = (end - begin) / 2;
+  if (half == 0) return table;
   // an odd number of steps has no sample in the middle: the slower end goes, whichever way the joint counts
   const auto speed = [&](int k) { return std::abs(stretch[k + 1].theta - stretch[k].theta); };
   const int spare = (end - begin) % 2 == 1 && speed(begin) < speed(end - 1) ? 1 : 0;

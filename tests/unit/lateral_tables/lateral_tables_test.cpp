@@ -198,6 +198,16 @@ TEST_CASE("fingers without a table: no lateral joint, one that does not turn the
   CHECK(found.q_sphere[idle] == doctest::Approx(0.2));
 }
 
+TEST_CASE("an azimuth that only jumps, as the tip runs through the sphere's axis, is no table") {
+  SphereHand hand;
+  const int slide = add_slide(hand.tree(), -1, {0.5, 0, -1}, {1, 0, 0}, -0.8, 0.2);
+  hand.add_finger({slide}, {0.5, 0, -1});
+  const LateralTables found = build(hand, {slide});
+  CHECK(found.tables.empty());
+  CHECK(found.table_of_finger == std::vector<int>{-1});
+  CHECK(found.q_sphere[slide] == doctest::Approx(-0.3));
+}
+
 TEST_CASE("a side with little room is warned of") {
   // as the tip passes near the pole the azimuth runs fast: 30 degrees below neutral, 162 above
   const double c = 0.45, R = 0.5;

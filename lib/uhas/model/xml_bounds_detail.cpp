@@ -1,9 +1,9 @@
 #include "uhas/model/xml_bounds_detail.hpp"
 
-#include <algorithm>
 #include <cstddef>
 
 #include "uhas/base/errors.hpp"
+#include "uhas/model/xml_markup_detail.hpp"
 
 namespace uhas::detail {
 namespace {
@@ -11,54 +11,18 @@ namespace {
 constexpr int max_nesting = 100;
 constexpr std::size_t max_tag_length = 16384;
 
-int line_of(std::string_view text, std::size_t position) {
-  return 1 + static_cast<int>(std::ranges::count(text.substr(0, position), '\n'));
-}
-
-// Position just after the markup that starts at `start` ("<..."), npos when it does not end.
-std::size_t end_of_markup(std::string_view text, std::size_t start) {
-  const auto after = [&](std::string_view terminator) {
-    const std::size_t found = text.find(terminator, start);
-    return found == std::string_view::npos ? found : found + terminator.size();
-  };
-  const std::string_view markup = text.substr(start);
-  if (markup.starts_with("<!--")) return after("-->");
-  if (markup.starts_with("<![CDATA[")) return after("]]>");
-  if (markup.starts_with("<?")) return after("?>");
-  char quote = 0;
-  for (std::size_t i = start; i < text.size(); ++i) {
-    if (quote != 0) {
-      if (text[i] == quote) quote = 0;
-    } else if (text[i] == '"' || text[i] == '\'') {
-      quote = text[i];
-    } else if (text[i] == '>') {
-      return i + 1;
-    }
-  }
-  return std::string_view::npos;
-}
-
 }  // namespace
 
 void check_xml_bounds(std::string_view text, const std::string& file) {
   int depth = 0;
-  for (std::size_t start = text.find('<'); start != std::string_view::npos; start = text.find('<', start)) {
-    const auto place = [&, start] { return file + ":" + std::to_string(line_of(text, start)); };
-    const std::size_t end = end_of_markup(text, start);
-    if (end == std::string_view::npos)
-      throw Error(ErrorCode::syntax, place(), "the XML ends inside a tag or comment", "complete the file");
-    const std::string_view tag = text.substr(start, end - start);
-    start = end;
-    if (tag.starts_with("<!") || tag.starts_with("<?")) continue;
-    if (tag.size() > max_tag_length)
-      throw Error(ErrorCode::limit_exceeded, place(),
+  for (XmlMarkup markup(text, file); markup.next();) {
+    if (!markup.is_tag()) continue;
+    if (markup.piece().size() > max_tag_length)
+      throw Error(ErrorCode::limit_exceeded, markup.place(),
                   "a tag is longer than " + std::to_string(max_tag_length) + " characters", "shorten it");
-    if (tag.starts_with("</"))
-      --depth;
-    else if (!tag.ends_with("/>"))
-      ++depth;
+    depth += markup.opens() ? 1 : markup.closes() ? -1 : 0;
     if (depth > max_nesting)
-      throw Error(ErrorCode::limit_exceeded, place(),
+      throw Error(ErrorCode::limit_exceeded, markup.place(),
                   "elements are nested more than " + std::to_string(max_nesting) + " deep", "flatten the file");
   }
 }

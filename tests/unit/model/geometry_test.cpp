@@ -268,6 +268,19 @@ TEST_CASE("glTF and DAE nested beyond any real file") {
   check_mesh_error("a.dae", dae("Z_UP", "1", nodes), ErrorCode::limit_exceeded, {"a.dae:1", "nested"});
 }
 
+TEST_CASE("a DAE whose indices are no numbers, or which counts more than it can hold") {
+  const auto changed = [](const std::string& from, const std::string& to) {
+    std::string text = dae("Z_UP");
+    return text.replace(text.find(from), from.size(), to);
+  };
+  for (const char* indices : {"<p>0 z 1", "<p><![CDATA[z]]>0 2 1", "<p><!-- --> z 2 1", "<p><x/>z 2 1", "<p>0 &#122; 1"})
+    check_mesh_error("a.dae", changed("<p>0 2 1", indices), ErrorCode::invalid_mesh, {"a.dae:1", "list of indices"});
+  for (const char* count : {"4000000000", "-1", "0x10", "&#57;999", ""})
+    check_mesh_error("a.dae", changed("<triangles count=\"4\"", "<triangles count = '" + std::string(count) + "'"),
+                     ErrorCode::limit_exceeded, {"a.dae:1", "count='" + std::string(count) + "'"});
+  CHECK(palm_mesh("a.dae", changed("<p>0 2 1", "<p a='>'><!-- z -->\n0\t2 1")).triangles.size() == 4);
+}
+
 TEST_CASE("a PLY cut short or damaged at any byte gives a mesh or an error") {
   const std::string whole = binary_ply();
   int errors = 0;

@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "uhas/base/errors.hpp"
 
@@ -61,6 +63,27 @@ std::uint64_t buffer_file_bytes(const json& document, const fs::path& folder) {
   return total;
 }
 
+// assimp makes a node anew for each way that leads to it, which from twenty nodes can be a million; glTF itself demands
+// that nodes form trees.
+void check_node_trees(const json& document, const fs::path& path) {
+  const json none = json::array();
+  const json& nodes = document.contains("nodes") ? document.at("nodes") : none;
+  const json& scenes = document.contains("scenes") ? document.at("scenes") : none;
+  constexpr std::size_t nobody = 0, a_node = 1, first_scene = 2;
+  std::vector<std::size_t> named_by(nodes.size(), nobody);  // what leads to each node
+  const auto name = [&](const json& index, std::size_t by) {
+    std::size_t& before = named_by.at(index.get<std::size_t>());
+    if (before == a_node || before == by)
+      throw Error(ErrorCode::invalid_mesh, path, "two ways lead to one node, so the nodes form no tree",
+                  "export the mesh again");
+    before = by;
+  };
+  for (const json& node : nodes)
+    for (const json& child : node.value("children", none)) name(child, a_node);
+  for (std::size_t i = 0; i < scenes.size(); ++i)
+    for (const json& root : scenes.at(i).value("nodes", none)) name(root, first_scene + i);
+}
+
 }  // namespace
 
 void check_gltf_bounds(std::string_view bytes, const fs::path& path) {
@@ -76,6 +99,9 @@ void check_gltf_bounds(std::string_view bytes, const fs::path& path) {
     if (elements_used(document) > max_elements_per_byte * available)
       throw Error(ErrorCode::limit_exceeded, path, "the mesh claims far more vertices or indices than it has bytes",
                   "export the mesh again");
+    check_node_trees(document, path);
+  } catch (const std::out_of_range&) {
+    throw Error(ErrorCode::invalid_mesh, path, "it names a node that does not exist", "export the mesh again");
   } catch (const json::exception& error) {
     throw Error(ErrorCode::invalid_mesh, path, std::string("this is no well-formed glTF (") + error.what() + ")",
                 "export the mesh again");

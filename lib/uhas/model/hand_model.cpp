@@ -9,6 +9,7 @@
 #include "uhas/base/errors.hpp"
 #include "uhas/base/file_bytes.hpp"
 #include "uhas/model/link_order_detail.hpp"
+#include "uhas/model/mesh_bounds_detail.hpp"
 #include "uhas/model/mesh_folders_detail.hpp"
 #include "uhas/model/mesh_path_detail.hpp"
 #include "uhas/model/mesh_reader_detail.hpp"
@@ -92,6 +93,10 @@ class GeometryLoader {
 
   // Scales and places `source`; vertices that no triangle uses are left behind.
   void append(const TriangleMesh& source, const UrdfShape& shape, TriangleMesh& result) {
+    triangle_count_ += source.triangles.size();
+    vertex_count_ += source.vertices.size();
+    detail::require_within_bounds(triangle_count_, vertex_count_, options_.max_triangles, "the meshes have",
+                                  urdf_file_);
     const Vector3d scale = shape.mesh_scale;
     const bool mirrored = scale.x * scale.y * scale.z < 0;
     constexpr auto unused = std::numeric_limits<std::uint32_t>::max();
@@ -103,10 +108,6 @@ class GeometryLoader {
     for (std::array<std::uint32_t, 3> triangle : source.triangles) {
       if (mirrored) std::swap(triangle[1], triangle[2]);
       if (is_degenerate(place(triangle[0]), place(triangle[1]), place(triangle[2]))) continue;
-      if (++triangle_count_ > options_.max_triangles)
-        throw Error(ErrorCode::limit_exceeded, urdf_file_,
-                    "the meshes have more triangles than the bound of " + std::to_string(options_.max_triangles),
-                    "simplify them or raise it by --max-triangles");
       for (std::uint32_t& vertex : triangle) {
         std::uint32_t& index = index_in_result[vertex];
         if (index == unused) {
@@ -150,7 +151,7 @@ class GeometryLoader {
   detail::SourceLog& sources_;
   std::vector<std::string>& warnings_;
   std::map<fs::path, TriangleMesh> meshes_;
-  std::uint64_t triangle_count_ = 0;
+  std::uint64_t triangle_count_ = 0, vertex_count_ = 0;  // of all shapes, those that are left behind too
 };
 
 // Folds fixed joints: `links` get their carrying joint, `tree` the movable joints in the order of their child links.
@@ -191,18 +192,18 @@ void build_tree(const detail::Urdf& urdf, const std::vector<detail::OrderedLink>
 
 }  // namespace
 
+std::vector<std::byte> read_urdf_file(const std::string& urdf_path, const LoadOptions& options) {
+  return read_file(urdf_path, options.max_urdf_bytes,
+                   "cut the hand out of its robot or raise the bound by --max-urdf-bytes");
+}
+
 HandModel load_hand_model(const std::string& urdf_path, const LoadOptions& options) {
   if (urdf_path.ends_with(".xacro"))
     throw Error(ErrorCode::syntax, urdf_path, "this is a xacro file, not a URDF",
                 "expand it first: xacro " + urdf_path + " > hand.urdf");
-  const std::vector<std::byte> bytes = read_file(urdf_path, options.max_urdf_bytes);
+  const std::vector<std::byte> bytes = read_urdf_file(urdf_path, options);
   const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  const detail::Urdf urdf = detail::read_urdf(text, urdf_path);
-  if (urdf.links.size() > options.max_links)
-    throw Error(ErrorCode::limit_exceeded, urdf_path,
-                "has " + std::to_string(urdf.links.size()) + " links, more than the bound of " +
-                    std::to_string(options.max_links),
-                "cut the hand out of its robot");
+  const detail::Urdf urdf = detail::read_urdf(text, urdf_path, options.max_links);
   const std::vector<detail::OrderedLink> order = detail::order_links(urdf, urdf_path);
 
   HandModel model;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -60,14 +61,17 @@ struct LoadOptions {
   bool untrusted = false;
 
   std::uint64_t max_urdf_bytes = 16u << 20;
-  std::size_t max_links = 2000;
+  std::uint64_t max_links = 2000;  ///< a chain of several ten thousand links overflows the stack of urdfdom
   std::uint64_t max_mesh_bytes = 512u << 20;  ///< of each file
-  std::uint64_t max_triangles = 20'000'000;  ///< over the whole hand
+  std::uint64_t max_triangles = 20'000'000;   ///< over the whole hand, which has at most three times as many vertices
 };
 
 /// Reads a URDF and every mesh it names: STL, OBJ, DAE, PLY, GLB and glTF, and the primitives box, cylinder, sphere and
 /// capsule. Prints nothing; what a user should know is in `HandModel::warnings`.
 /// Throws Error: file_unreadable, syntax, invalid_model, invalid_mesh, limit_exceeded.
 HandModel load_hand_model(const std::string& urdf_path, const LoadOptions& options = {});
+
+/// The bytes of the URDF alone, within its bound. Throws Error: file_unreadable, limit_exceeded.
+std::vector<std::byte> read_urdf_file(const std::string& urdf_path, const LoadOptions& options);
 
 }  // namespace uhas

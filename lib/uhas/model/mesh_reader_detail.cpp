@@ -21,6 +21,7 @@
 #include "uhas/base/file_bytes.hpp"
 #include "uhas/model/collada_bounds_detail.hpp"
 #include "uhas/model/gltf_bounds_detail.hpp"
+#include "uhas/model/mesh_bounds_detail.hpp"
 #include "uhas/model/mesh_bytes_detail.hpp"
 #include "uhas/model/ply_reader_detail.hpp"
 #include "uhas/model/xml_bounds_detail.hpp"
@@ -153,11 +154,8 @@ class SceneFlattener {
   }
 
   void append(const aiMesh& part, const Affine& T_file_part) {
-    if (mesh_.triangles.size() + part.mNumFaces > max_triangles_ ||
-        mesh_.vertices.size() + part.mNumVertices > 3 * max_triangles_)
-      throw Error(ErrorCode::limit_exceeded, file_,
-                  "the mesh has more triangles than the bound of " + std::to_string(max_triangles_) + " for a hand",
-                  "simplify it or raise it by --max-triangles");
+    require_within_bounds(mesh_.triangles.size() + part.mNumFaces, mesh_.vertices.size() + part.mNumVertices,
+                          max_triangles_, "the mesh has", file_);
     const auto first = static_cast<std::uint32_t>(mesh_.vertices.size());
     for (unsigned v = 0; v < part.mNumVertices; ++v) {
       const aiVector3D& p = part.mVertices[v];

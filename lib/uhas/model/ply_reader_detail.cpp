@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "uhas/base/errors.hpp"
+#include "uhas/model/mesh_bounds_detail.hpp"
 
 namespace uhas::detail {
 namespace {
@@ -140,14 +141,12 @@ class PlyReader {
     }
     if (element.name != "vertex") return;
     if (!is_finite(vertex)) fail("the mesh has a vertex that is not finite");
+    require_within_bounds(mesh_.triangles.size(), mesh_.vertices.size() + 1, max_triangles_, "the mesh has", file_);
     mesh_.vertices.push_back(vertex);
   }
 
   void append(const std::array<std::uint32_t, 3>& triangle) {
-    if (mesh_.triangles.size() >= max_triangles_)
-      throw Error(ErrorCode::limit_exceeded, file_,
-                  "the mesh has more triangles than the bound of " + std::to_string(max_triangles_) + " for a hand",
-                  "simplify it or raise the bound");
+    require_within_bounds(mesh_.triangles.size() + 1, mesh_.vertices.size(), max_triangles_, "the mesh has", file_);
     mesh_.triangles.push_back(triangle);
   }
 

@@ -190,8 +190,8 @@ class Converter {
 
 }  // namespace
 
-Urdf read_urdf(const std::string& text, const std::string& file) {
-  const urdf::ModelInterfaceSharedPtr model = parse_silently(reduce_urdf(text, file), file);
+Urdf read_urdf(const std::string& text, const std::string& file, std::uint64_t max_links) {
+  const urdf::ModelInterfaceSharedPtr model = parse_silently(reduce_urdf(text, file, max_links), file);
   const Converter convert(file);
   Urdf result{model->getName(), {}, {}};
   for (const auto& [name, link] : model->links_) result.links.push_back(convert.link(*link));

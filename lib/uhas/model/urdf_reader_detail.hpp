@@ -1,6 +1,7 @@
 // The links and joints of a URDF, each checked by itself; how they hang together is checked by link_order_detail.hpp.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,6 +47,6 @@ struct Urdf {
 
 /// Reads the text of a URDF. `file` names it in errors. Prints nothing.
 /// Throws Error: syntax, invalid_model, limit_exceeded.
-Urdf read_urdf(const std::string& text, const std::string& file);
+Urdf read_urdf(const std::string& text, const std::string& file, std::uint64_t max_links);
 
 }  // namespace uhas::detail

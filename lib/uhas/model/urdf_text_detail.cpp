@@ -72,6 +72,18 @@ std::string link_of(const TiXmlElement& joint, const char* end) {
   return link != nullptr ? link : "";
 }
 
+// urdfdom frees a chain of links by recursion, so a chain as long as the file allows must not reach it.
+void check_link_count(const TiXmlElement& robot, const std::string& file, std::uint64_t max_links) {
+  std::uint64_t links = 0;
+  for (const TiXmlElement* link = robot.FirstChildElement("link"); link != nullptr;
+       link = link->NextSiblingElement("link"))
+    ++links;
+  if (links > max_links)
+    throw Error(ErrorCode::limit_exceeded, file,
+                "has " + std::to_string(links) + " links, more than the bound of " + std::to_string(max_links),
+                "cut the hand out of its robot or raise the bound by --max-links");
+}
+
 // urdfdom keeps graphs with a cycle in memory for ever and tells little of the others it refuses, so a graph that is no
 // tree must not reach it.
 void check_tree(const TiXmlElement& robot, const std::string& file) {
@@ -103,7 +115,7 @@ void check_tree(const TiXmlElement& robot, const std::string& file) {
 
 }  // namespace
 
-std::string reduce_urdf(const std::string& text, const std::string& file) {
+std::string reduce_urdf(const std::string& text, const std::string& file, std::uint64_t max_links) {
   if (text.find('\0') != std::string::npos)
     throw Error(ErrorCode::syntax, file, "the file holds a zero byte, so it is not XML", "name a URDF file");
   check_xml_bounds(text, file);
@@ -130,6 +142,7 @@ std::string reduce_urdf(const std::string& text, const std::string& file) {
   for (TiXmlElement* child = robot->FirstChildElement(); child != nullptr; child = child->NextSiblingElement())
     child->ValueStr() == "link" ? reduce_link(*child) : reduce_joint(*child);
 
+  check_link_count(*robot, file, max_links);
   check_tree(*robot, file);
 
   TiXmlPrinter printer;

@@ -1,6 +1,7 @@
 // The text of a URDF, checked and reduced before urdfdom sees it.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 namespace uhas::detail {
@@ -10,7 +11,7 @@ namespace uhas::detail {
 /// A capsule is passed on as a cylinder; the `name` of every visual and collision becomes the tag of its shape, which
 /// tells the two apart.
 /// Throws Error: syntax (not XML, no URDF, unexpanded xacro), invalid_model (the links are no tree), limit_exceeded
-/// (nesting or a tag beyond any real URDF).
-std::string reduce_urdf(const std::string& text, const std::string& file);
+/// (nesting or a tag beyond any real URDF, more than `max_links` links).
+std::string reduce_urdf(const std::string& text, const std::string& file, std::uint64_t max_links);
 
 }  // namespace uhas::detail

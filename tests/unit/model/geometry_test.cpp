@@ -245,6 +245,40 @@ TEST_CASE("bounds on the bytes of a mesh and on the triangles of a hand") {
   check_error([&] { load_hand_model(urdf, options); }, ErrorCode::limit_exceeded, {"a.stl", "bound of 100"});
 }
 
+TEST_CASE("few triangles and very many vertices") {
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 13\nproperty uchar x\nelement face 1\n"
+      "property list uchar int vertex_indices\nend_header\n";
+  std::string points;
+  for (int i = 0; i < 9; ++i) points += "p 1 2 3 4\n";
+  const std::vector<std::pair<std::string, std::string>> meshes{
+      {"a.ply", header + std::string("0 0 0 0 0 0 0 0 0 0 0 0 0 ") + "3 0 1 2\n"}, {"a.obj", obj(points)}};
+  for (const auto& [name, content] : meshes) {
+    CAPTURE(name);
+    const ScratchFolder folder;
+    folder.write(name, content);
+    const std::string urdf = folder.write("hand.urdf", one_finger(visual(mesh(name))));
+    LoadOptions options;
+    options.max_triangles = 4;
+    check_error([&] { load_hand_model(urdf, options); }, ErrorCode::limit_exceeded, {name, "--max-triangles"});
+  }
+}
+
+TEST_CASE("vertices that no triangle uses count toward the bound of a hand") {
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 10\nproperty uchar x\nproperty uchar y\nelement face 1\n"
+      "property list uchar int vertex_indices\nend_header\n";
+  const ScratchFolder folder;
+  folder.write("a.ply", header + "0 0  1 0  0 1  0 0  0 0  0 0  0 0  0 0  0 0  0 0  3 0 1 2\n");
+  const std::string twice = folder.write("hand.urdf", one_finger(visual(mesh("a.ply")) + visual(mesh("a.ply"))));
+  LoadOptions options;
+  options.max_triangles = 7;
+  CHECK(load_hand_model(twice, options).links[0].mesh.vertices.size() == 6);
+  options.max_triangles = 6;
+  check_error([&] { load_hand_model(twice, options); }, ErrorCode::limit_exceeded,
+              {"hand.urdf: the meshes have more vertices than the bound of 18"});
+}
+
 TEST_CASE("a scale that is zero, of two numbers, or no number") {
   for (const char* scale : {"0 1 1", "1 1", "a b c", "nan 1 1"})
     check_load_error(one_finger(visual(mesh("a.stl", "scale=\"" + std::string(scale) + "\""))),
@@ -259,6 +293,27 @@ TEST_CASE("a GLB that claims a billion vertices is refused before they are alloc
   check_mesh_error("a.glb", glb("", "1000000000"), ErrorCode::limit_exceeded, {"a.glb", "claims far more"});
   check_mesh_error("a.glb", glb("", "-1"), ErrorCode::limit_exceeded, {"a.glb"});
   check_mesh_error("a.glb", glb("", "\"four\""), ErrorCode::invalid_mesh, {"a.glb", "glTF"});
+}
+
+TEST_CASE("nodes of a glTF that form no trees are refused before they are copied") {
+  const auto with_nodes = [](const std::string& nodes, const std::string& scene = "[0]") {
+    std::string text = gltf(R"("uri":"a.bin")");
+    text.replace(text.find(R"([{"mesh":0}])"), std::string(R"([{"mesh":0}])").size(), nodes);
+    return text.replace(text.find("[0]"), 3, scene);
+  };
+  std::string doubling = "[";
+  for (int i = 1; i <= 60; ++i) {  // 2^60 ways lead to the last node
+    const std::string next = std::to_string(i);
+    doubling += R"({"children":[)" + next + "," + next + "]},";
+  }
+  const std::vector<std::string> word{"a.gltf", "no tree"};
+  check_mesh_error("a.gltf", with_nodes(doubling + R"({"mesh":0}])"), ErrorCode::invalid_mesh, word);
+  check_mesh_error("a.gltf", with_nodes(R"([{"children":[1]},{"children":[0],"mesh":0}])"), ErrorCode::invalid_mesh,
+                   word);
+  check_mesh_error("a.gltf", with_nodes(R"([{"mesh":0}])", "[0,0]"), ErrorCode::invalid_mesh, word);
+  check_mesh_error("a.gltf", with_nodes(R"([{"children":[1]},{"mesh":0}])", "[0,1]"), ErrorCode::invalid_mesh, word);
+  check_mesh_error("a.gltf", with_nodes(R"([{"children":[2],"mesh":0}])"), ErrorCode::invalid_mesh,
+                   {"a node that does not exist"});
 }
 
 TEST_CASE("glTF and DAE nested beyond any real file") {

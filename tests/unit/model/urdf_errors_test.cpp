@@ -71,7 +71,8 @@ TEST_CASE("a tag with a hundred thousand attributes") {
 TEST_CASE("a file above the bound on its size") {
   LoadOptions options;
   options.max_urdf_bytes = 10;
-  check_error([&] { load(one_finger(), options); }, ErrorCode::limit_exceeded, {"more than the bound of 10"});
+  check_error([&] { load(one_finger(), options); }, ErrorCode::limit_exceeded,
+              {"more than the bound of 10", "--max-urdf-bytes"});
 }
 
 TEST_CASE("more links than any robot has") {
@@ -80,7 +81,18 @@ TEST_CASE("more links than any robot has") {
     links += link("l" + std::to_string(i)) + joint("j" + std::to_string(i), "l0", "l" + std::to_string(i));
   LoadOptions options;
   options.max_links = 19;
-  check_error([&] { load(robot(links), options); }, ErrorCode::limit_exceeded, {"20 links, more than the bound of 19"});
+  check_error([&] { load(robot(links), options); }, ErrorCode::limit_exceeded,
+              {"20 links, more than the bound of 19", "--max-links"});
+}
+
+TEST_CASE("a chain of links as long as a file allows") {
+  std::string links = link("0");
+  for (int i = 1; i < 150'000; ++i) {
+    const std::string before = std::to_string(i - 1), name = std::to_string(i);
+    links += "<link name=\"" + name + "\"/><joint name=\"" + name + "\" type=\"fixed\"><parent link=\"" + before +
+             "\"/><child link=\"" + name + "\"/></joint>";
+  }
+  check_load_error(robot(links), ErrorCode::limit_exceeded, {"150000 links"});
 }
 
 TEST_CASE("no movable joint") {

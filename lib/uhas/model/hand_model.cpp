@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <limits>
 #include <map>
+#include <span>
 #include <string_view>
 
 #include "uhas/base/errors.hpp"
@@ -56,29 +57,53 @@ double skeleton_extent(const detail::Urdf& urdf, const std::vector<detail::Order
   return *std::ranges::max_element(reach);
 }
 
+// The surfaces of links: mesh files are read first, all together, then placed with the other shapes.
 class GeometryLoader {
  public:
-  GeometryLoader(std::string urdf_file, double skeleton, const LoadOptions& options, detail::SourceLog& sources,
-                 std::vector<std::string>& warnings)
-      : urdf_file_(std::move(urdf_file)),
-        skeleton_(skeleton),
-        options_(options),
-        folders_(urdf_file_, options),
-        sources_(sources),
-        warnings_(warnings) {}
+  GeometryLoader(std::string urdf_file, const LoadOptions& options, detail::SourceLog& sources)
+      : urdf_file_(std::move(urdf_file)), options_(options), folders_(urdf_file_, options), sources_(sources) {}
 
-  TriangleMesh load(const detail::UrdfLink& link) {
-    const bool wants_visual = options_.geometry != GeometrySource::collision;
-    const bool wants_collision = options_.geometry != GeometrySource::visual;
+  /// @param skeleton  extent of the hand's skeleton (m), which tells meshes in other units
+  void read_mesh_files(std::span<const detail::UrdfLink* const> links, double skeleton,
+                       std::vector<std::string>& warnings) {
+    std::vector<detail::MeshFile> files;
+    std::vector<const UrdfShape*> first_users;
+    std::map<fs::path, std::size_t> known;  // hands use one file for several links; each is read once
+    for (const detail::UrdfLink* link : links)
+      for (const UrdfShape* shape : shapes_of(*link)) {
+        if (shape->kind != UrdfShape::Kind::mesh) continue;
+        const fs::path folder = fs::path(urdf_file_).parent_path();
+        const fs::path path = detail::find_mesh(shape->mesh_reference, folder, options_.packages, urdf_file_);
+        const auto [entry, is_new] = known.try_emplace(path.lexically_normal(), files.size());
+        mesh_of_shape_[shape] = entry->second;
+        if (!is_new) continue;
+        folders_.require(path, shape->mesh_reference);
+        files.push_back({path, shape->mesh_reference});
+        first_users.push_back(shape);
+      }
+    meshes_ = detail::read_meshes(files, options_, folders_, sources_);
+    for (std::size_t i = 0; i < files.size(); ++i)
+      warn_about_units(files[i].reference, extent(meshes_[i], first_users[i]->mesh_scale), skeleton, warnings);
+  }
+
+  TriangleMesh surface_of(const detail::UrdfLink& link) {
     TriangleMesh result;
-    if (wants_visual || link.collision.empty())
-      for (const UrdfShape& shape : link.visual) append(shape, result);
-    if (wants_collision || link.visual.empty())
-      for (const UrdfShape& shape : link.collision) append(shape, result);
+    for (const UrdfShape* shape : shapes_of(link)) append(*shape, result);
     return result;
   }
 
  private:
+  std::vector<const UrdfShape*> shapes_of(const detail::UrdfLink& link) const {
+    const bool wants_visual = options_.geometry != GeometrySource::collision;
+    const bool wants_collision = options_.geometry != GeometrySource::visual;
+    std::vector<const UrdfShape*> shapes;
+    if (wants_visual || link.collision.empty())
+      for (const UrdfShape& shape : link.visual) shapes.push_back(&shape);
+    if (wants_collision || link.visual.empty())
+      for (const UrdfShape& shape : link.collision) shapes.push_back(&shape);
+    return shapes;
+  }
+
   void append(const UrdfShape& shape, TriangleMesh& result) {
     switch (shape.kind) {
       case UrdfShape::Kind::box: return append(detail::tessellate_box(shape.box_size), shape, result);
@@ -87,7 +112,7 @@ class GeometryLoader {
       case UrdfShape::Kind::capsule:
         return append(detail::tessellate_capsule(shape.radius, shape.length), shape, result);
       case UrdfShape::Kind::sphere: return append(detail::tessellate_sphere(shape.radius), shape, result);
-      case UrdfShape::Kind::mesh: return append(mesh_file(shape), shape, result);
+      case UrdfShape::Kind::mesh: return append(meshes_[mesh_of_shape_.at(&shape)], shape, result);
     }
   }
 
@@ -120,37 +145,24 @@ class GeometryLoader {
     }
   }
 
-  // Hands use one file for several links; each is read once.
-  const TriangleMesh& mesh_file(const UrdfShape& shape) {
-    const fs::path path =
-        detail::find_mesh(shape.mesh_reference, fs::path(urdf_file_).parent_path(), options_.packages, urdf_file_);
-    const auto [entry, is_new] = meshes_.try_emplace(path.lexically_normal());
-    if (is_new) {
-      folders_.require(path, shape.mesh_reference);
-      entry->second = detail::read_mesh(path, shape.mesh_reference, options_, folders_, sources_);
-      warn_about_units(shape, extent(entry->second, shape.mesh_scale));
-    }
-    return entry->second;
-  }
-
-  void warn_about_units(const UrdfShape& shape, double mesh) {
-    if (skeleton_ > 0 && mesh > suspiciously_large * skeleton_)
-      warnings_.push_back("mesh " + shape.mesh_reference + " is " + std::to_string(mesh) +
-                          " m across on a skeleton of " + std::to_string(skeleton_) +
-                          " m; is it in millimetres? then give it scale=\"0.001 0.001 0.001\" in the URDF");
-    if (mesh < suspiciously_small * skeleton_)
-      warnings_.push_back("mesh " + shape.mesh_reference + " is " + std::to_string(1000 * mesh) +
-                          " mm across on a skeleton of " + std::to_string(skeleton_) +
-                          " m; is it in metres, but scaled as if in millimetres? then remove its scale in the URDF");
+  static void warn_about_units(const std::string& reference, double mesh, double skeleton,
+                               std::vector<std::string>& warnings) {
+    if (skeleton > 0 && mesh > suspiciously_large * skeleton)
+      warnings.push_back("mesh " + reference + " is " + std::to_string(mesh) + " m across on a skeleton of " +
+                         std::to_string(skeleton) +
+                         " m; is it in millimetres? then give it scale=\"0.001 0.001 0.001\" in the URDF");
+    if (mesh < suspiciously_small * skeleton)
+      warnings.push_back("mesh " + reference + " is " + std::to_string(1000 * mesh) + " mm across on a skeleton of " +
+                         std::to_string(skeleton) +
+                         " m; is it in metres, but scaled as if in millimetres? then remove its scale in the URDF");
   }
 
   std::string urdf_file_;
-  double skeleton_;
   const LoadOptions& options_;
   detail::MeshFolders folders_;
   detail::SourceLog& sources_;
-  std::vector<std::string>& warnings_;
-  std::map<fs::path, TriangleMesh> meshes_;
+  std::map<const UrdfShape*, std::size_t> mesh_of_shape_;  // into `meshes_`
+  std::vector<TriangleMesh> meshes_;
   std::uint64_t triangle_count_ = 0, vertex_count_ = 0;  // of all shapes, those that are left behind too
 };
 
@@ -218,8 +230,11 @@ HandModel load_hand_model(const std::string& urdf_path, const LoadOptions& optio
   detail::SourceLog sources(fs::path(urdf_path).parent_path());
   sources.add(urdf_path, urdf_path, bytes);
   if (options.load_meshes) {
-    GeometryLoader loader(urdf_path, skeleton_extent(urdf, order), options, sources, model.warnings);
-    for (std::size_t i = 0; i < order.size(); ++i) model.links[i].mesh = loader.load(urdf.links[order[i].link]);
+    std::vector<const detail::UrdfLink*> links;
+    for (const detail::OrderedLink& ordered : order) links.push_back(&urdf.links[ordered.link]);
+    GeometryLoader loader(urdf_path, options, sources);
+    loader.read_mesh_files(links, skeleton_extent(urdf, order), model.warnings);
+    for (std::size_t i = 0; i < links.size(); ++i) model.links[i].mesh = loader.surface_of(*links[i]);
   }
   model.sources = sources.files();
   return model;

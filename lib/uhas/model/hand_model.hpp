@@ -4,9 +4,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "uhas/base/child_process.hpp"
 #include "uhas/base/kinematic_tree.hpp"
 #include "uhas/profile/hand_profile.hpp"
 
@@ -56,9 +58,9 @@ struct LoadOptions {
   /// followed; true: anywhere.
   bool allow_outside = false;
 
-  /// Each mesh file is read in a child process under the default ChildLimits, for files that may bring a mesh library
-  /// down.
-  bool untrusted = false;
+  /// Mesh files are read in a child process under these limits, so that one that brings a mesh library down is an Error;
+  /// without limits, in this process.
+  std::optional<ChildLimits> meshes_in_child;
 
   std::uint64_t max_urdf_bytes = 16u << 20;
   std::uint64_t max_links = 2000;  ///< a chain of several ten thousand links overflows the stack of urdfdom

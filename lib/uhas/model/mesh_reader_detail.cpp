@@ -196,8 +196,9 @@ TriangleMesh read_with_assimp(const fs::path& path, const std::string& extension
   return SceneFlattener(*scene, path, max_triangles).flatten();
 }
 
-TriangleMesh read_mesh_here(const fs::path& path, const std::string& reference, const LoadOptions& options,
-                            const MeshFolders& folders, SourceLog& sources) {
+TriangleMesh read_mesh(const MeshFile& file, const LoadOptions& options, const MeshFolders& folders,
+                       SourceLog& sources) {
+  const auto& [path, reference] = file;
   const std::string extension = lower_case_extension(path);
   if (std::ranges::find(known_extensions, extension) == known_extensions.end())
     throw Error(ErrorCode::invalid_mesh, path, "meshes of the type '." + extension + "' cannot be read",
@@ -218,16 +219,34 @@ TriangleMesh read_mesh_here(const fs::path& path, const std::string& reference, 
 
 }  // namespace
 
-TriangleMesh read_mesh(const fs::path& path, const std::string& reference, const LoadOptions& options,
-                       const MeshFolders& folders, SourceLog& sources) {
-  if (!options.untrusted) return read_mesh_here(path, reference, options, folders, sources);
-  const std::vector<std::byte> bytes = in_child({}, ErrorCode::invalid_mesh, path, [&] {
-    TriangleMesh mesh = read_mesh_here(path, reference, options, folders, sources);
+std::vector<TriangleMesh> read_meshes(std::span<const MeshFile> files, const LoadOptions& options,
+                                      const MeshFolders& folders, SourceLog& sources) {
+  std::vector<TriangleMesh> meshes;
+  std::uint64_t triangles = 0, vertices = 0;
+  const auto read = [&](const MeshFile& file) {
+    TriangleMesh mesh = read_mesh(file, options, folders, sources);
+    triangles += mesh.triangles.size();
+    vertices += mesh.vertices.size();
+    require_within_bounds(triangles, vertices, options.max_triangles, "with the meshes before it, the mesh has",
+                          file.path);
+    return mesh;
+  };
+  if (!options.meshes_in_child) {
+    for (const MeshFile& file : files) meshes.push_back(read(file));
+    return meshes;
+  }
+  std::vector<std::string> paths;
+  for (const MeshFile& file : files) paths.push_back(file.path);
+  const auto answers = in_child(*options.meshes_in_child, ErrorCode::invalid_mesh, paths, [&](std::size_t i) {
+    TriangleMesh mesh = read(files[i]);
     return to_bytes({std::move(mesh), sources.files()});
   });
-  ReadMesh read = read_mesh_from_bytes(bytes, path);
-  sources.replace(std::move(read.sources));
-  return std::move(read.mesh);
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    ReadMesh answer = read_mesh_from_bytes(answers[i], paths[i]);
+    meshes.push_back(std::move(answer.mesh));
+    sources.replace(std::move(answer.sources));
+  }
+  return meshes;
 }
 
 }  // namespace uhas::detail

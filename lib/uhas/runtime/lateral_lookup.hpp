@@ -7,18 +7,20 @@
 
 namespace uhas {
 
-/// Joint value at `delta_theta`, which is held within [lower, upper]. Zero returns `inverse_q[m]`, the neutral value, bit for bit.
+/// Joint value at `delta_theta`, which is held within [lower, upper]. Zero returns `inverse_q[m]`, the neutral value, and the
+/// bounds return the ends, bit for bit; no value leaves the range of the table, not by rounding either.
 /// @param inverse_q  [2 m + 1] joint values: m equal steps from `lower` <= 0 to 0, m equal steps from 0 to `upper` >= 0
 template <class Real>
 Real look_up_lateral(std::span<const Real> inverse_q, Real lower, Real upper, Real delta_theta) {
   const int m = static_cast<int>(inverse_q.size() / 2);
   const Real bound = delta_theta < Real(0) ? lower : upper;
   if (delta_theta == Real(0) || bound == Real(0)) return inverse_q[m];
-  const Real position = std::min(delta_theta / bound, Real(1)) * Real(m);  // steps away from the middle
-  const int step = std::min(static_cast<int>(position), m - 1);
   const int side = delta_theta < Real(0) ? -1 : 1;
+  const Real position = delta_theta / bound * Real(m);  // steps away from the middle
+  if (!(position < Real(m))) return inverse_q[m + side * m];
+  const int step = static_cast<int>(position);
   const Real near = inverse_q[m + side * step], far = inverse_q[m + side * (step + 1)];
-  return near + (position - Real(step)) * (far - near);
+  return std::clamp(near + (position - Real(step)) * (far - near), std::min(near, far), std::max(near, far));
 }
 
 /// The way back: the delta theta at which `look_up_lateral` gives `q`, which is held within the table's range.

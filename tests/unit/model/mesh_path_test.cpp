@@ -158,15 +158,15 @@ TEST_CASE("the buffer of a glTF file may not lie outside either") {
         4);
 }
 
-TEST_CASE("untrusted meshes are the same meshes and sources") {
+TEST_CASE("meshes read in a child process are the same meshes and sources") {
   const ScratchFolder folder;
   folder.write("a.stl", binary_stl());
   folder.write("b.gltf", gltf(R"("uri":"b.bin")"));
   folder.write("b.bin", gltf_buffer());
   const std::string urdf = folder.write("hand.urdf", one_finger(visual(mesh("a.stl")) + visual(mesh("b.gltf"))));
-  LoadOptions untrusted;
-  untrusted.untrusted = true;
-  const HandModel plain = load_hand_model(urdf), fenced = load_hand_model(urdf, untrusted);
+  LoadOptions in_child;
+  in_child.meshes_in_child.emplace();
+  const HandModel plain = load_hand_model(urdf), fenced = load_hand_model(urdf, in_child);
   CHECK(plain.sources.size() == 4);
   CHECK(fenced.sources == plain.sources);
   CHECK(fenced.links[0].mesh.triangles == plain.links[0].mesh.triangles);

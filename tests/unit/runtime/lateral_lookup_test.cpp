@@ -1,5 +1,8 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <random>
 #include <vector>
 
 #include "uhas/runtime/lateral_lookup.hpp"
@@ -16,6 +19,30 @@ TEST_CASE("look-up is linear between knots and held at the bounds") {
   CHECK(at(0.45) == doctest::Approx(0.8));
   CHECK(at(-7) == doctest::Approx(-0.4));
   CHECK(at(7) == doctest::Approx(1.1));
+}
+
+TEST_CASE("the bounds give the ends of the table bit for bit, and no value lies beyond them") {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> value(-2, 2);
+  const auto check = [&]<class Real>(Real) {
+    for (int n = 0; n < 2000; ++n) {
+      std::vector<Real> inverse(9);
+      for (Real& q : inverse) q = static_cast<Real>(value(random));
+      std::ranges::sort(inverse);
+      if (n % 2 == 1) std::ranges::reverse(inverse);
+      const auto [least, most] = std::ranges::minmax(inverse);
+      const Real lower = -static_cast<Real>(std::abs(value(random))), upper = static_cast<Real>(std::abs(value(random)));
+      const auto at = [&](Real delta) { return look_up_lateral<Real>(inverse, lower, upper, delta); };
+      CHECK(at(lower) == inverse.front());
+      CHECK(at(upper) == inverse.back());
+      for (int i = 0; i < 20; ++i) {
+        const Real q = at(static_cast<Real>(value(random)));
+        CHECK((q >= least && q <= most));
+      }
+    }
+  };
+  check(double{});
+  check(float{});
 }
 
 TEST_CASE("a side without room stays at neutral") {

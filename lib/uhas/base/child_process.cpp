@@ -73,6 +73,8 @@ void answer_error(int file, ErrorCode code, const std::string& text) {
 [[noreturn]] void be_the_child(const ChildLimits& limits, ErrorCode blame, int out, std::size_t files,
                                const std::function<std::vector<std::byte>(std::size_t)>& work) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // an interrupted tool leaves no child behind
+  // a crash is ours to tell of, not for handlers of the program
+  for (const int crash : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) ::signal(crash, SIG_DFL);
   bound(RLIMIT_AS, address_space() + limits.max_memory_bytes);
   bound(RLIMIT_CORE, 0);
   bound(RLIMIT_FSIZE, 0);
@@ -118,7 +120,7 @@ Error too_much(const ChildLimits& limits, const std::string& file) {
   return {ErrorCode::limit_exceeded, file,
           "cannot be read within " + std::to_string(static_cast<int>(limits.max_seconds)) + " s and " +
               std::to_string(limits.max_memory_bytes >> 20) + " MiB of memory",
-          kDoNotTrust};
+          std::string(kDoNotTrust) + ", or raise the bounds by --max-read-seconds and --max-read-bytes"};
 }
 
 // A copy of this process at work, ended with this object.

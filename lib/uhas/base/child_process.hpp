@@ -13,7 +13,7 @@
 namespace uhas {
 
 struct ChildLimits {
-  std::uint64_t max_memory_bytes = std::uint64_t{2} << 30;  ///< beyond what the calling process holds; of each result, too
+  std::uint64_t max_memory_bytes = std::uint64_t{4} << 30;  ///< beyond what the calling process holds; of each result, too
   double max_seconds = 60;
 };
 

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <fstream>
 #include <numeric>
+#include <span>
 #include <stdexcept>
 #include <thread>
 
@@ -58,13 +59,31 @@ TEST_CASE("an Error keeps its code and words, any other exception its words") {
 TEST_CASE("a crash is an error that names the file and the cause") {
   check_error(ErrorCode::invalid_mesh, "some.file: the process that read it was brought down (Segmentation fault)", [] {
     run([]() -> Bytes {
-      ::signal(SIGSEGV, SIG_DFL);
       ::raise(SIGSEGV);
       return {};
     });
   });
   check_error(ErrorCode::invalid_mesh, "some.file: the process that read it was brought down; do not trust the file",
               [] { run([]() -> Bytes { ::_exit(7); }); });
+}
+
+TEST_CASE("one child reads several files, and the one it is at is blamed") {
+  const std::vector<std::string> files{"a.file", "b.file", "c.file"};
+  const auto number = [](std::size_t i) { return Bytes(i + 1, static_cast<std::byte>(i)); };
+  CHECK(in_child({}, ErrorCode::invalid_mesh, files, number) == std::vector<Bytes>{number(0), number(1), number(2)});
+  CHECK(in_child({}, ErrorCode::invalid_mesh, std::span<const std::string>(), number).empty());
+  const auto crash_at_b = [&](std::size_t i) {
+    if (i == 1) ::_exit(7);
+    return number(i);
+  };
+  check_error(ErrorCode::invalid_mesh, "b.file: the process that read it was brought down",
+              [&] { in_child({}, ErrorCode::invalid_mesh, files, crash_at_b); });
+  const auto hang_at_c = [&](std::size_t i) {
+    while (i == 2) std::this_thread::sleep_for(std::chrono::seconds(1));
+    return number(i);
+  };
+  check_error(ErrorCode::limit_exceeded, "c.file: cannot be read within 0 s",
+              [&] { in_child({.max_seconds = 0.2}, ErrorCode::invalid_mesh, files, hang_at_c); });
 }
 
 TEST_CASE("a hang is ended") {

@@ -336,6 +336,18 @@ TEST_CASE("a DAE whose indices are no numbers, or which counts more than it can 
   CHECK(palm_mesh("a.dae", changed("<p>0 2 1", "<p a='>'><!-- z -->\n0\t2 1")).triangles.size() == 4);
 }
 
+TEST_CASE("a mesh that brings assimp down is an error where a child process reads it") {
+  const ScratchFolder folder;
+  std::string text = dae("Z_UP");
+  text.replace(text.find("stride=\"3\""), 10, "stride=\"900000000\"");
+  folder.write("a.dae", text);
+  folder.write("good.stl", binary_stl());
+  const std::string urdf = folder.write("hand.urdf", one_finger(visual(mesh("good.stl")) + visual(mesh("a.dae"))));
+  LoadOptions options;
+  options.meshes_in_child.emplace();
+  check_error([&] { load_hand_model(urdf, options); }, ErrorCode::invalid_mesh, {"a.dae: ", "was brought down"});
+}
+
 TEST_CASE("a PLY cut short or damaged at any byte gives a mesh or an error") {
   const std::string whole = binary_ply();
   int errors = 0;

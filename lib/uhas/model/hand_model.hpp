@@ -56,12 +56,12 @@ struct LoadOptions {
   /// followed; true: anywhere.
   bool allow_outside = false;
 
-  /// Each mesh file is read in a child process under the default ChildLimits, for files that may bring a mesh library
-  /// down.
+  /// For files that may bring a library down: each mesh is read in a child process under the default ChildLimits, the
+  /// URDF in such a process first and then here.
   bool untrusted = false;
 
   std::uint64_t max_urdf_bytes = 16u << 20;
-  std::uint64_t max_links = 2000;  ///< a chain of several ten thousand links overflows the stack of urdfdom
+  std::uint64_t max_links = 2000;  ///< a chain of 100,000 links overflows the stack of urdfdom
   std::uint64_t max_mesh_bytes = 512u << 20;  ///< of each file
   std::uint64_t max_triangles = 20'000'000;   ///< over the whole hand, which has at most three times as many vertices
 };

@@ -19,6 +19,7 @@
 #include "uhas/base/child_process.hpp"
 #include "uhas/base/errors.hpp"
 #include "uhas/base/file_bytes.hpp"
+#include "uhas/model/dae_bounds_detail.hpp"
 #include "uhas/model/gltf_bounds_detail.hpp"
 #include "uhas/model/mesh_bounds_detail.hpp"
 #include "uhas/model/mesh_bytes_detail.hpp"
@@ -206,7 +207,10 @@ TriangleMesh read_mesh_here(const fs::path& path, const std::string& reference, 
   const std::vector<std::byte>& bytes = files->mesh_bytes();
   if (bytes.empty()) throw Error(ErrorCode::invalid_mesh, path, "the mesh file is empty", "export the mesh again");
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  if (extension == "dae") check_xml_bounds(text, path);
+  if (extension == "dae") {
+    check_xml_bounds(text, path);
+    check_dae_nodes(text, path);
+  }
   if (extension == "glb" || extension == "gltf") check_gltf_bounds(text, path);
   TriangleMesh mesh = extension == "ply" ? read_ply(bytes, path, options.max_triangles)
                                          : read_with_assimp(path, extension, std::move(files), options.max_triangles);

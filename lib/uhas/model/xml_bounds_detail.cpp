@@ -40,27 +40,33 @@ std::size_t end_of_markup(std::string_view text, std::size_t start) {
 
 }  // namespace
 
-void check_xml_bounds(std::string_view text, const std::string& file) {
-  int depth = 0;
+void for_each_tag(std::string_view text, const std::string& file, const std::function<void(const XmlTag&)>& visit) {
   for (std::size_t start = text.find('<'); start != std::string_view::npos; start = text.find('<', start)) {
-    const auto place = [&, start] { return file + ":" + std::to_string(line_of(text, start)); };
     const std::size_t end = end_of_markup(text, start);
     if (end == std::string_view::npos)
-      throw Error(ErrorCode::syntax, place(), "the XML ends inside a tag or comment", "complete the file");
-    const std::string_view tag = text.substr(start, end - start);
+      throw Error(ErrorCode::syntax, file + ":" + std::to_string(line_of(text, start)),
+                  "the XML ends inside a tag or comment", "complete the file");
+    const XmlTag tag{text.substr(start, end - start), start};
     start = end;
-    if (tag.starts_with("<!") || tag.starts_with("<?")) continue;
-    if (tag.size() > max_tag_length)
-      throw Error(ErrorCode::limit_exceeded, place(),
-                  "a tag is longer than " + std::to_string(max_tag_length) + " characters", "shorten it");
-    if (tag.starts_with("</"))
+    if (!tag.text.starts_with("<!") && !tag.text.starts_with("<?")) visit(tag);
+  }
+}
+
+void check_xml_bounds(std::string_view text, const std::string& file) {
+  int depth = 0;
+  for_each_tag(text, file, [&](const XmlTag& tag) {
+    const auto refuse = [&](const std::string& problem, const std::string& remedy) {
+      throw Error(ErrorCode::limit_exceeded, file + ":" + std::to_string(line_of(text, tag.position)), problem, remedy);
+    };
+    if (tag.text.size() > max_tag_length)
+      refuse("a tag is longer than " + std::to_string(max_tag_length) + " characters", "shorten it");
+    if (tag.closes())
       --depth;
-    else if (!tag.ends_with("/>"))
+    else if (!tag.is_empty())
       ++depth;
     if (depth > max_nesting)
-      throw Error(ErrorCode::limit_exceeded, place(),
-                  "elements are nested more than " + std::to_string(max_nesting) + " deep", "flatten the file");
-  }
+      refuse("elements are nested more than " + std::to_string(max_nesting) + " deep", "flatten the file");
+  });
 }
 
 }  // namespace uhas::detail

@@ -316,6 +316,41 @@ TEST_CASE("nodes of a glTF that form no trees are refused before they are copied
                    {"a node that does not exist"});
 }
 
+TEST_CASE("nodes of a DAE that stand for others") {
+  // the tetrahedron of `dae` in a library, and a scene that stands for the node `first` of it
+  const auto with_library = [](const std::string& nodes) {
+    std::string text = dae("Z_UP");
+    const std::string scenes = "<library_visual_scenes>";
+    text.insert(text.find(scenes), "<library_nodes>" + nodes + "</library_nodes>");
+    const std::string geometry = R"(<instance_geometry url="#g"/>)";
+    return text.replace(text.rfind(geometry), geometry.size(), R"(<instance_node url="#first"/>)");
+  };
+  const auto node = [](const std::string& id, const std::string& content) {
+    return "<node id=\"" + id + "\" name=\"last\">" + content + "</node>";
+  };
+  const auto stand_for = [](const std::string& id) { return "<instance_node url=\"#" + id + "\"/>"; };
+  const std::string last = node("last", R"(<instance_geometry url="#g"/>)");
+
+  const ScratchFolder folder;
+  folder.write("a.dae", with_library(node("first", stand_for("last") + stand_for("last")) + last));
+  const std::string urdf = folder.write("hand.urdf", one_finger(visual(mesh("a.dae"))));
+  CHECK(load_hand_model(urdf).links[0].mesh.triangles.size() == 8);
+
+  std::string doubling = node("first", stand_for("n0") + stand_for("n0")), chain = node("first", stand_for("n0"));
+  for (int i = 0; i < 300; ++i) {
+    const std::string next = i < 299 ? "n" + std::to_string(i + 1) : "last";
+    if (i < 60)
+      doubling += node("n" + std::to_string(i), stand_for(i < 59 ? next : "last") + stand_for(i < 59 ? next : "last"));
+    chain = node("n" + std::to_string(i), stand_for(next)) + chain;  // the deepest first
+  }
+  check_mesh_error("a.dae", with_library(doubling + last), ErrorCode::limit_exceeded, {"a.dae", "100000 nodes"});
+  check_mesh_error("a.dae", with_library(last + chain), ErrorCode::limit_exceeded, {"a.dae", "nested too deep"});
+  check_mesh_error("a.dae", with_library(node("first", stand_for("second")) + node("second", stand_for("first"))),
+                   ErrorCode::invalid_mesh, {"a.dae", "stands for itself"});
+  check_mesh_error("a.dae", with_library(node("first", stand_for("l&#97;st")) + last), ErrorCode::invalid_mesh,
+                   {"a.dae", "character reference"});
+}
+
 TEST_CASE("glTF and DAE nested beyond any real file") {
   check_mesh_error("a.gltf", std::string(1'000'000, '['), ErrorCode::limit_exceeded, {"a.gltf", "nested"});
   std::string nodes;

@@ -23,7 +23,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string path = input_file(name, as_text(data + 1, size - 1));
   LoadOptions here, in_child;
   here.max_triangles = in_child.max_triangles = 100'000;
-  in_child.meshes_in_child = {.max_memory_bytes = 1u << 30, .max_seconds = 10};
+  in_child.in_child = {.max_memory_bytes = 1u << 30, .max_seconds = 10};
   TriangleMesh mesh;
   const auto read = [&](const LoadOptions& options) {
     const detail::MeshFolders folders(path, options);

@@ -7,6 +7,7 @@
 #include <span>
 #include <string_view>
 
+#include "uhas/base/child_process.hpp"
 #include "uhas/base/errors.hpp"
 #include "uhas/base/file_bytes.hpp"
 #include "uhas/model/link_order_detail.hpp"
@@ -215,7 +216,10 @@ HandModel load_hand_model(const std::string& urdf_path, const LoadOptions& optio
                 "expand it first: xacro " + urdf_path + " > hand.urdf");
   const std::vector<std::byte> bytes = read_urdf_file(urdf_path, options);
   const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  const detail::Urdf urdf = detail::read_urdf(text, urdf_path, options.max_links);
+  const auto read = [&] { return detail::read_urdf(text, urdf_path, options.max_links); };
+  if (options.in_child)  // a rehearsal: this process reads the same bytes in the same state
+    in_child(*options.in_child, ErrorCode::invalid_model, urdf_path, [&] { return read(), std::vector<std::byte>(); });
+  const detail::Urdf urdf = read();
   const std::vector<detail::OrderedLink> order = detail::order_links(urdf, urdf_path);
 
   HandModel model;

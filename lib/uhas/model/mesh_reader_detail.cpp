@@ -231,13 +231,13 @@ std::vector<TriangleMesh> read_meshes(std::span<const MeshFile> files, const Loa
                           file.path);
     return mesh;
   };
-  if (!options.meshes_in_child) {
+  if (!options.in_child) {
     for (const MeshFile& file : files) meshes.push_back(read(file));
     return meshes;
   }
   std::vector<std::string> paths;
   for (const MeshFile& file : files) paths.push_back(file.path);
-  const auto answers = in_child(*options.meshes_in_child, ErrorCode::invalid_mesh, paths, [&](std::size_t i) {
+  const auto answers = in_child(*options.in_child, ErrorCode::invalid_mesh, paths, [&](std::size_t i) {
     TriangleMesh mesh = read(files[i]);
     return to_bytes({std::move(mesh), sources.files()});
   });

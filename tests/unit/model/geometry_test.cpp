@@ -316,6 +316,44 @@ TEST_CASE("nodes of a glTF that form no trees are refused before they are copied
                    {"a node that does not exist"});
 }
 
+TEST_CASE("nodes of a DAE that stand for others, and without end in a child process") {
+  // the tetrahedron of `dae` in a library, and a scene that stands for the node `first` of it
+  const auto with_library = [](const std::string& nodes) {
+    std::string text = dae("Z_UP");
+    const std::string scenes = "<library_visual_scenes>";
+    text.insert(text.find(scenes), "<library_nodes>" + nodes + "</library_nodes>");
+    const std::string geometry = R"(<instance_geometry url="#g"/>)";
+    return text.replace(text.rfind(geometry), geometry.size(), R"(<instance_node url="#first"/>)");
+  };
+  const auto node = [](const std::string& id, const std::string& content) {
+    return "<node id=\"" + id + "\" name=\"last\">" + content + "</node>";
+  };
+  const auto stand_for = [](const std::string& id) { return "<instance_node url=\"#" + id + "\"/>"; };
+  const std::string last = node("last", R"(<instance_geometry url="#g"/>)");
+
+  const ScratchFolder folder;
+  folder.write("a.dae", with_library(node("first", stand_for("last") + stand_for("last")) + last));
+  const std::string urdf = folder.write("hand.urdf", one_finger(visual(mesh("a.dae"))));
+  CHECK(load_hand_model(urdf).links[0].mesh.triangles.size() == 8);
+
+  std::string doubling = node("first", stand_for("n0") + stand_for("n0"));
+  for (int i = 0; i < 60; ++i) {
+    const std::string next = i < 59 ? "n" + std::to_string(i + 1) : "last";
+    doubling += node("n" + std::to_string(i), stand_for(next) + stand_for(next));
+  }
+  LoadOptions options;
+  options.in_child = {.max_memory_bytes = 256u << 20, .max_seconds = 5};
+  for (const std::string& nodes : {doubling + last, node("first", stand_for("second")) + node("second", stand_for("first"))}) {
+    folder.write("a.dae", with_library(nodes));
+    try {
+      load_hand_model(urdf, options);
+      FAIL("a scene without end was read");
+    } catch (const Error& error) {
+      CHECK(std::string(error.what()).find("a.dae") != std::string::npos);
+    }
+  }
+}
+
 TEST_CASE("glTF and DAE nested beyond any real file") {
   check_mesh_error("a.gltf", std::string(1'000'000, '['), ErrorCode::limit_exceeded, {"a.gltf", "nested"});
   std::string nodes;
@@ -344,7 +382,7 @@ TEST_CASE("a mesh that brings assimp down is an error where a child process read
   folder.write("good.stl", binary_stl());
   const std::string urdf = folder.write("hand.urdf", one_finger(visual(mesh("good.stl")) + visual(mesh("a.dae"))));
   LoadOptions options;
-  options.meshes_in_child.emplace();
+  options.in_child.emplace();
   check_error([&] { load_hand_model(urdf, options); }, ErrorCode::invalid_mesh, {"a.dae: ", "was brought down"});
 }
 

@@ -165,7 +165,7 @@ TEST_CASE("meshes read in a child process are the same meshes and sources") {
   folder.write("b.bin", gltf_buffer());
   const std::string urdf = folder.write("hand.urdf", one_finger(visual(mesh("a.stl")) + visual(mesh("b.gltf"))));
   LoadOptions in_child;
-  in_child.meshes_in_child.emplace();
+  in_child.in_child.emplace();
   const HandModel plain = load_hand_model(urdf), fenced = load_hand_model(urdf, in_child);
   CHECK(plain.sources.size() == 4);
   CHECK(fenced.sources == plain.sources);

@@ -1,4 +1,6 @@
 // Every URDF that is refused, with the words of its message.
+#include <sys/resource.h>
+
 #include "model_fixture.hpp"
 
 using namespace uhas;
@@ -85,14 +87,23 @@ TEST_CASE("more links than any robot has") {
               {"20 links, more than the bound of 19", "--max-links"});
 }
 
-TEST_CASE("a chain of links as long as a file allows") {
+TEST_CASE("a long chain of links, for which urdfdom needs more stack than there is") {
   std::string links = link("0");
-  for (int i = 1; i < 150'000; ++i) {
+  for (int i = 1; i < 30'000; ++i) {
     const std::string before = std::to_string(i - 1), name = std::to_string(i);
-    links += "<link name=\"" + name + "\"/><joint name=\"" + name + "\" type=\"fixed\"><parent link=\"" + before +
+    links += link(name) + "<joint name=\"" + name + "\" type=\"fixed\"><parent link=\"" + before +
              "\"/><child link=\"" + name + "\"/></joint>";
   }
-  check_load_error(robot(links), ErrorCode::limit_exceeded, {"150000 links"});
+  rlimit stack{};
+  ::getrlimit(RLIMIT_STACK, &stack);
+  const rlimit small{512u << 10, stack.rlim_max};
+  ::setrlimit(RLIMIT_STACK, &small);
+  check_load_error(robot(links), ErrorCode::limit_exceeded, {"30000 links"});
+  LoadOptions options;
+  options.max_links = 30'000;
+  options.in_child.emplace();
+  check_error([&] { load(robot(links), options); }, ErrorCode::invalid_model, {"brought down"});
+  ::setrlimit(RLIMIT_STACK, &stack);
 }
 
 TEST_CASE("no movable joint") {

@@ -87,7 +87,7 @@ ExitCode run(Tool& tool) {
   Options options;
   add_options(tool.options(), options);
   tool.parse();
-  options.model.load.untrusted = tool.untrusted();
+  options.model.load.in_child = tool.child_limits();
   check_usage(options);
 
   std::vector<ProfileFile> files;

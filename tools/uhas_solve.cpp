@@ -134,7 +134,7 @@ ExitCode run(Tool& tool) {
   Options options;
   add_options(tool.options(), options);
   tool.parse();
-  options.model.load.untrusted = tool.untrusted();
+  options.model.load.in_child = tool.child_limits();
   if (!options.model.urdfs.empty() && options.html.empty() && !options.collision.report && !options.collision.avoid)
     throw Tool::wrong_usage("--urdf", "needs --collisions, --avoid or --html");
   return options.actions == "-" ? solve_stream(tool, options) : solve_file(tool, options);

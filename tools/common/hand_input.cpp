@@ -59,7 +59,7 @@ void add_surface_options(CLI::App& app, CorrespondenceOptions& options) {
 }
 
 BuildStages run_stages(const Tool& tool, HandInput& input, Stage last) {
-  input.settings.load.untrusted = tool.untrusted();
+  input.settings.load.in_child = tool.child_limits();
   if (!input.config_file.empty()) input.settings.config = read_hand_config(input.config_file);
   BuildStages stages;
   {

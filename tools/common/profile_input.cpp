@@ -5,7 +5,7 @@
 namespace uhas::tools {
 
 HandProfile read_profile(const Tool& tool, const std::string& path) {
-  return tool.untrusted() ? read_untrusted_profile(path) : uhas::read_profile(path);
+  return read_untrusted_profile(path, tool.child_limits());
 }
 
 }  // namespace uhas::tools

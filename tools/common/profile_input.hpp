@@ -8,7 +8,7 @@
 
 namespace uhas::tools {
 
-/// As uhas::read_profile; with --untrusted as read_untrusted_profile.
+/// As `read_untrusted_profile`, under the tool's limits.
 HandProfile read_profile(const Tool& tool, const std::string& path);
 
 }  // namespace uhas::tools

@@ -37,13 +37,20 @@ Tool::Tool(std::string name, int argc, char** argv)
 void Tool::parse() {
   // added last, so that --help lists them after the tool's own options
   app_.option_defaults()->group("Common options");
-  app_.add_flag("--untrusted", untrusted_,
-                "Read profiles and meshes in child processes, under limits of time and memory");
   app_.add_flag("--json", json_, "Print the result as JSON");
   app_.add_flag("--quiet", quiet_, "Print no warnings and no progress");
   app_.add_flag("--verbose", verbose_, "Say on stderr what is being done");
   app_.set_version_flag("--version", version_text(name_), "Print the version and exit");
   app_.set_help_flag("-h,--help", "Print this help and exit");
+  app_.add_option("--max-read-seconds", child_limits_.max_seconds, "End the reading of a file that takes longer [60]")
+      ->check(CLI::PositiveNumber.description(""))
+      ->type_name("N")
+      ->group("Limits");
+  app_.add_option("--max-read-bytes", child_limits_.max_memory_bytes,
+                  "End the reading of files that takes more memory [4294967296]")
+      ->check(CLI::PositiveNumber.description(""))
+      ->type_name("N")
+      ->group("Limits");
   app_.footer("Exit codes: 0 done, 1 the input or the run failed, 2 wrong usage.");
   if (argc_ == 3 && std::string_view(argv_[1]) == "--describe") {  // for the build and the tests; not in --help
     const std::string text = description(app_, argv_[2]);

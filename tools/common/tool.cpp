@@ -42,7 +42,7 @@ void Tool::parse() {
   // added last, so that --help lists them after the tool's own options
   app_.option_defaults()->group("Common options");
   app_.add_flag("--untrusted", untrusted_,
-                "Read profiles and meshes in child processes, under limits of time and memory");
+                "Read what a library parses in child processes, under limits of time and memory");
   app_.add_flag("--json", json_, "Print the result as JSON");
   app_.add_flag("--quiet", quiet_, "Print no warnings and no progress");
   app_.add_flag("--verbose", verbose_, "Say on stderr what is being done");

@@ -1,4 +1,4 @@
-# JSON, JSON Lines and HDF5 hold the same trajectory, whichever is read and whichever is written
+# JSON, JSON Lines and HDF5 hold the same trajectory, whichever is read, with the fence or without, and whichever is written
 for turn in -0.09 -0.06 -0.03 0 0.03 0.06 0.09; do
   echo "[$turn,$turn,$turn,$turn,0, 0.1,$turn,0,0.1,-0.1,$turn,0,0,0,0]"
 done | uhas-solve - --profile profile/allegro_right.h5 > solved.jsonl
@@ -20,6 +20,10 @@ for kind in json jsonl h5; do
     uhas-retarget --from profile/allegro_right.h5 --to profile/allegro_right.h5 $source -o $source.$kind > /dev/null
   done
   cmp a.json.$kind a.jsonl.$kind && cmp a.json.$kind a.h5.$kind && cmp a.json.$kind b.hdf5.$kind && echo "$kind: the same from every kind"
+done
+for source in a.h5 b.hdf5; do
+  uhas-retarget --from profile/allegro_right.h5 --to profile/allegro_right.h5 $source --untrusted -o fenced.json > /dev/null
+  cmp a.json.json fenced.json && echo "$source: the same from a child process"
 done
 /usr/bin/python3 - <<'END'
 import h5py, json

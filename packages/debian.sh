@@ -19,6 +19,7 @@ uhas_test_packages=(
   doctest-dev mandoc pkg-config
   zsh fish                                               # run the completions
   dpkg-dev doxygen                                       # Debian packages, API reference
+  strace                                                 # what the tools ask of the system
   liborocos-kdl-dev                                      # independent kinematics
   libnlopt-cxx-dev libnlopt-dev                          # independent optimiser
   python3 python3-numpy python3-h5py python3-jsonschema  # second reader of the profile, schema validator

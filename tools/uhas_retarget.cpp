@@ -3,6 +3,7 @@
 
 #include "common/joint_order.hpp"
 #include "common/json_lines.hpp"
+#include "common/limits.hpp"
 #include "common/profile_input.hpp"
 #include "common/progress.hpp"
 #include "common/table.hpp"
@@ -20,6 +21,7 @@ constexpr std::size_t kFramesBetweenProgress = 64;
 struct Options {
   std::string from, to, trajectory, output;
   int driving_vectors = 2;
+  TrajectoryLimits limits;
 };
 
 void add_options(CLI::App& app, Options& options) {
@@ -36,6 +38,8 @@ void add_options(CLI::App& app, Options& options) {
                  "Driving vectors in each plane; more follow the first hand more closely [2]")
       ->check(CLI::Range(1, kMaxDrivingVectors).description(""))
       ->type_name("N");
+  add_limit(app, "--max-json-bytes", options.limits.max_json_bytes, "Refuse a larger trajectory in .json");
+  add_limit(app, "--max-hdf5-bytes", options.limits.max_hdf5_bytes, "Refuse an HDF5 trajectory of more bytes, unpacked");
 }
 
 /// Two hands and what lies between them.
@@ -118,7 +122,7 @@ ExitCode retarget_file(const Tool& tool, const Options& options) {
       options.output.empty() ? trajectory_kind(options.trajectory) : trajectory_kind(options.output);
   const bool binary_to_stdout = options.output.empty() && kind == TrajectoryKind::hdf5;
   Retargeting run(tool, options);
-  const std::unique_ptr<TrajectoryReader> reader = open_trajectory(options.trajectory);
+  const std::unique_ptr<TrajectoryReader> reader = open_trajectory(options.trajectory, options.limits, tool.child_limits());
   run.order = JointOrder(run.from, reader->header().joint_names, options.trajectory);
   warn_of_other_hand(tool, reader->header().hand, run.from);
   const std::unique_ptr<TrajectoryWriter> writer =

@@ -4,6 +4,7 @@
 
 #include "common/actions.hpp"
 #include "common/json_lines.hpp"
+#include "common/limits.hpp"
 #include "common/output.hpp"
 #include "common/profile_input.hpp"
 #include "common/report_page.hpp"
@@ -25,6 +26,7 @@ struct Options {
   SolveOptions solve;  // field and passes
   JointSelection joints;
   CollisionUse collision;
+  ActionsLimits limits;
 
   /// With the rule and the closing that were asked for, else those of the convention: the option's, else the file's.
   SolveOptions solve_options(const SolveOptions& convention_of_file) const {
@@ -73,6 +75,9 @@ void add_options(CLI::App& app, Options& options) {
                  "Draw also the solutions, played on the hand, as a page for any browser, offline")
       ->type_name("hand.html");
   add_model_options(app, options.model);
+  add_limit(app, "--max-json-bytes", options.limits.max_json_bytes, "Refuse a larger file of actions");
+  add_limit(app, "--max-actions", options.limits.max_actions,
+            "Refuse a file of more actions; a stream may have any number");
 }
 
 ExitCode solve_stream(const Tool& tool, const Options& options) {
@@ -106,7 +111,7 @@ void write_page(const Tool& tool, const Options& options, const ActionsDocument&
 }
 
 ExitCode solve_file(const Tool& tool, const Options& options) {
-  ActionsDocument document = read_actions(options.actions);
+  ActionsDocument document = read_actions(options.actions, options.limits);
   const std::string profile_path = options.profile.empty() ? document.profile : options.profile;
   if (profile_path.empty())
     throw Tool::wrong_usage("--profile", "needed because " + options.actions + " does not name a hand profile");

@@ -9,6 +9,7 @@ import hashlib
 import os
 import pathlib
 import shutil
+import stat
 import struct
 import subprocess
 import sys
@@ -18,6 +19,8 @@ import h5py
 
 HERE = pathlib.Path(__file__).resolve().parent
 HAND = HERE.parent.parent / "hands" / "allegro_right"
+
+LARGE = 1 << 24  # bytes
 
 LIMIT = '<limit lower="-1" upper="1" effort="1" velocity="1"/>'
 
@@ -50,6 +53,23 @@ def stl_of_triangles(count):
     return b" " * 80 + struct.pack("<I", count) + corners * count
 
 
+def ply_of_vertices(count):
+    """A PLY of one triangle and that many vertices."""
+    return ("ply\nformat ascii 1.0\nelement vertex %d\nproperty uchar x\nelement face 1\nproperty list uchar int vertex_indices\n"
+            "end_header\n" % count + "0\n" * count + "3 0 1 2\n")
+
+
+def crashing_trajectory():
+    """A trajectory whose first name is number 2^32 - 1 of the names that the file holds, which HDF5 1.10.8 does not check."""
+    with h5py.File("t.h5", "w") as file:
+        file["q"] = [[0.4]]
+        file["joint_names"] = ["index_joint_0"]
+        name = file["joint_names"].id.get_offset()  # its length, the address of the names, the number
+    content = bytearray(pathlib.Path("t.h5").read_bytes())
+    content[name + 12:name + 16] = b"\xff" * 4
+    write({"t.h5": bytes(content)})
+
+
 BUILD = "uhas-build-profile hand.urdf -o new.h5"
 SOLVE = "uhas-solve actions.json --profile hand.h5 -o new.json"
 INSPECT = "uhas-inspect broken.h5"
@@ -64,6 +84,8 @@ CASES = [
     ("a pipe", BUILD, lambda: os.mkfifo("hand.urdf"), "hand.urdf: is not a regular file; check the path and its permissions"),
     ("a loop of symbolic links", BUILD, lambda: os.symlink("hand.urdf", "hand.urdf"),
      "hand.urdf: cannot be opened: Too many levels of symbolic links; check the path and its permissions"),
+    ("a URDF that may not be read", BUILD, lambda: unreadable({"hand.urdf": urdf(joint())}),
+     "hand.urdf: cannot be opened: Permission denied; check the path and its permissions"),
     ("not XML", BUILD, {"hand.urdf": "hello"},
      "hand.urdf: this is not well-formed XML (Error document empty.); correct the file"),
     ("XML that ends early", BUILD, {"hand.urdf": urdf(joint())[:-12]},
@@ -121,6 +143,11 @@ CASES = [
      {"hand.urdf": urdf(*(joint(f"joint{i}", "palm", f"link{i}") for i in range(3)), links=["palm", "link0", "link1", "link2"])},
      "hand.urdf: the finger of joint 'joint0' has no length: its tip lies on its joints; give its last link geometry, or name "
      'the joints of each finger by "fingers" in a hand config'),
+    ("a larger URDF than any robot's", BUILD, lambda: sparse_file("hand.urdf", (16 << 20) + 1),
+     "hand.urdf: has 16777217 bytes, more than the bound of 16777216; cut the hand out of its robot or raise the bound by "
+     "--max-urdf-bytes"),
+    ("a tag of 20,000 characters", BUILD, {"hand.urdf": '<robot name="' + "x" * 20_000 + '"/>'},
+     "hand.urdf:1: a tag is longer than 16384 characters; shorten it"),
     ("a hundred fingers", BUILD,
      {"hand.urdf": urdf(*(joint(f"joint{i}", "palm", f"link{i}") for i in range(100)),
                         links=["palm", *(f"link{i}" for i in range(100))])},
@@ -137,6 +164,12 @@ CASES = [
     ("a mesh in a loop of symbolic links", BUILD,
      lambda: (write({"hand.urdf": urdf_with_mesh("palm.stl")}), os.symlink("palm.stl", "palm.stl")),
      "palm.stl: cannot be opened: Too many levels of symbolic links; check the path and its permissions"),
+    ("a mesh that may not be read", BUILD,
+     lambda: (write({"hand.urdf": urdf_with_mesh("palm.stl")}), unreadable({"palm.stl": stl_of_triangles(2)})),
+     "palm.stl: cannot be opened: Permission denied; check the path and its permissions"),
+    ("a mesh in a folder that may not be entered", BUILD,
+     lambda: (write({"hand.urdf": urdf_with_mesh("meshes/palm.stl")}), os.mkdir("meshes", 0)),
+     "meshes/palm.stl: cannot be opened: Permission denied; check the path and its permissions"),
     ("a mesh outside the folder of the model", BUILD, {"hand.urdf": urdf_with_mesh("../../palm.stl")},
      "hand.urdf: the mesh ../../palm.stl lies outside FOLDER, the folder of the model; name its package by --package NAME=DIR, "
      "or pass --allow-outside if you trust the model"),
@@ -160,18 +193,37 @@ CASES = [
     ("a larger mesh file than allowed", BUILD + " --max-mesh-bytes 583",
      {"hand.urdf": urdf_with_mesh("palm.stl"), "palm.stl": stl_of_triangles(10)},
      "palm.stl: has 584 bytes, more than the bound of 583; simplify the mesh or raise the bound by --max-mesh-bytes"),
+    ("a larger mesh file than any hand's", BUILD,
+     lambda: (write({"hand.urdf": urdf_with_mesh("palm.stl")}), sparse_file("palm.stl", (512 << 20) + 1)),
+     "palm.stl: has 536870913 bytes, more than the bound of 536870912; simplify the mesh or raise the bound by --max-mesh-bytes"),
+    ("few triangles and very many vertices", BUILD + " --max-triangles 9",
+     {"hand.urdf": urdf_with_mesh("palm.ply"), "palm.ply": ply_of_vertices(28)},
+     "palm.ply: the mesh has more vertices than the bound of 27, three for each triangle of a hand; leave out unused ones or "
+     "raise the bound by --max-triangles"),
     ("more links than any robot has", BUILD,
      {"hand.urdf": urdf(*(joint(f"joint{i}", "palm", f"link{i}") for i in range(2000)),
                         links=["palm", *(f"link{i}" for i in range(2000))])},
      "hand.urdf: has 2001 links, more than the bound of 2000; cut the hand out of its robot or raise the bound by --max-links"),
     # hand configs
+    ("a config that may not be read", BUILD + " --config config.json",
+     lambda: (write({"hand.urdf": urdf(joint())}), unreadable({"config.json": "{}"})),
+     "config.json: cannot be opened: Permission denied; check the path and its permissions"),
     ("a config that is not JSON", BUILD + " --config config.json", {"config.json": "{", "hand.urdf": urdf(joint())},
      "config.json:1: not valid JSON; correct the syntax"),
     ("a config with an unknown key", BUILD + " --config config.json",
      {"config.json": '{"palm": "x"}', "hand.urdf": urdf(joint())},
      'config.json: unknown key "palm"; did you mean "palm_link"?'),
+    ("a missing config", BUILD + " --config config.json", {"hand.urdf": urdf(joint())},
+     "config.json: the file does not exist; check the path"),
+    ("a larger config than any hand's", BUILD + " --config config.json", lambda: sparse_file("config.json", (1 << 20) + 1),
+     "config.json: has 1048577 bytes, more than the bound of 1048576; make sure that it is a hand config, or raise the bound by "
+     "--max-config-bytes"),
+    ("a config nested 100,000 deep", BUILD + " --config config.json", {"config.json": "[" * 100_000},
+     "config.json: nested too deeply for a hand config; use fewer levels"),
     # actions
     ("missing actions", SOLVE, {}, "actions.json: the file does not exist; check the path"),
+    ("actions that may not be read", SOLVE, lambda: unreadable({"actions.json": actions("[]")}),
+     "actions.json: cannot be opened: Permission denied; check the path and its permissions"),
     ("actions that are not JSON", SOLVE, {"actions.json": "[1, 2"},
      "actions.json:1: not JSON: syntax error while parsing array - unexpected end of input; expected ']'; correct the syntax"),
     ("too short an action", SOLVE, {"actions.json": actions("[0, 0]")},
@@ -186,7 +238,14 @@ CASES = [
      'actions.json: version is 2, this tool reads 1; write "version": 1'),
     ("nested 100,000 deep", SOLVE, {"actions.json": "[" * 100_000},
      "actions.json: nested more than 16 levels deep; use fewer levels"),
+    ("a larger file of actions than allowed", SOLVE, lambda: sparse_file("actions.json", (64 << 20) + 1),
+     "actions.json: has 67108865 bytes, more than the bound of 67108864; split it, or raise the bound by --max-json-bytes"),
+    ("more actions than a file may have", SOLVE, {"actions.json": actions(*["[]"] * 1_000_001)},
+     "actions.json: has 1000001 actions, more than the bound of 1000000 for a file; stream them through uhas-solve -, which "
+     "takes any number, or raise the bound by --max-actions"),
     # profiles
+    ("a profile that may not be read", INSPECT, lambda: (edit_profile(lambda b: b), os.chmod("broken.h5", 0)),
+     "broken.h5: cannot be opened: Permission denied; check the path and its permissions"),
     ("a truncated profile", INSPECT, lambda: edit_profile(lambda b: b[:-1]),
      "broken.h5: the file is truncated: it has 326751 bytes of 326752; rebuild it with uhas-build-profile"),
     ("a profile cut within its first block", INSPECT, lambda: edit_profile(lambda b: b[:100]),
@@ -206,7 +265,18 @@ CASES = [
     ("a profile that is text", INSPECT, {"broken.h5": "hello"},
      "broken.h5: this is not a hand profile: it does not begin with 'uhas-hand-profile'; name a file that uhas-"
      "build-profile wrote"),
+    ("a larger profile than any hand's", INSPECT, lambda: sparse_file("broken.h5", (256 << 20) + 1),
+     "broken.h5: has 268435457 bytes, more than the bound of 268435456; make sure that it is the right file"),
     # trajectories
+    ("a larger trajectory than allowed", RETARGET.replace("t.h5", "t.json"), lambda: sparse_file("t.json", (64 << 20) + 1),
+     "t.json: has 67108865 bytes, more than the bound of 67108864; split it, or raise the bound by --max-json-bytes"),
+    ("a trajectory with a line of 2 MiB", RETARGET.replace("t.h5", "t.jsonl"), {"t.jsonl": " " * (2 << 20)},
+     "t.jsonl:1: the line is longer than 1 MiB; write one frame a line"),
+    ("a trajectory of 8 GiB", RETARGET,
+     lambda: trajectory(lambda file: file.create_dataset("q", (1 << 20, 1024), "f8", chunks=(64, 1024))),
+     "t.h5: /q is larger than a trajectory can be; cut it into parts or raise the bound by --max-hdf5-bytes"),
+    ("a trajectory that may not be read", RETARGET, lambda: unreadable({"t.h5": "hello"}),
+     "t.h5: cannot be opened: Permission denied; check the path and its permissions"),
     ("a trajectory that is text", RETARGET, {"t.h5": "hello"},
      "t.h5: cannot be opened as HDF5; check the path and what wrote the file"),
     ("a trajectory that links to another file", RETARGET,
@@ -215,15 +285,17 @@ CASES = [
     ("a trajectory stored in another file", RETARGET,
      lambda: trajectory(lambda file: file.create_dataset("q", (2, 2), "f8", external=[("hand.h5", 0, 32)])),
      "t.h5: /q is stored in other files; store plain numbers and names"),
+    ("a trajectory that brings the HDF5 library down", RETARGET, crashing_trajectory,
+     "t.h5: the process that read it was brought down (Segmentation fault); do not trust the file"),
     ("a trajectory of compound values", RETARGET,
      lambda: trajectory(lambda file: file.create_dataset("q", (2, 2), [("a", "f8"), ("b", "f8")])),
      "t.h5: /q is neither of numbers nor of fixed-length strings; store plain numbers and names"),
     ("a trajectory of terabytes", RETARGET,
      lambda: trajectory(lambda file: file.create_dataset("q", (1 << 40, 16), "f8", chunks=(1024, 16))),
-     "t.h5: /q has more rows than a trajectory can have; cut it into parts"),
+     "t.h5: /q has more rows than a trajectory can have; cut it into parts or raise the bound by --max-hdf5-bytes"),
     ("a trajectory whose chunk is a gigabyte", RETARGET,
      lambda: trajectory(lambda file: file.create_dataset("q", (1 << 23, 16), "f8", chunks=(1 << 23, 16))),
-     "t.h5: /q is larger than a trajectory can be; cut it into parts"),
+     "t.h5: /q has a larger chunk than a trajectory can have; store it in smaller chunks"),
 ]
 
 
@@ -231,6 +303,30 @@ def trajectory(fill):
     """An HDF5 file `t.h5` that `fill` writes into."""
     with h5py.File("t.h5", "w") as file:
         fill(file)
+
+
+def unreadable(files):
+    write(files)
+    for name in files:
+        os.chmod(name, 0)
+
+
+def without_privileges():
+    """What a command begins with so that permissions bind it, as they do not bind root; None when that cannot be had."""
+    prefix = ["setpriv", "--inh-caps=-all", "--bounding-set=-all"] if os.geteuid() == 0 else []
+    with tempfile.NamedTemporaryFile() as file:
+        os.chmod(file.name, 0)
+        try:
+            done = subprocess.run([*prefix, "cat", file.name], capture_output=True)
+        except FileNotFoundError:
+            return None
+    return prefix if b"Permission denied" in done.stderr else None
+
+
+def sparse_file(name, size):
+    """A file of that many zeros, which take no room on the disk."""
+    pathlib.Path(name).touch()
+    os.truncate(name, size)
 
 
 def write(files):
@@ -243,22 +339,27 @@ def edit_profile(change):
 
 
 def listing():
-    """Everything in the current folder: names, kinds and contents."""
+    """Everything in the current folder: names, kinds and contents; of large or unreadable files size and time."""
     entries = {}
     for entry in sorted(pathlib.Path().iterdir()):
-        regular = entry.is_file() and not entry.is_symlink()
-        entries[entry.name] = hashlib.sha256(entry.read_bytes()).hexdigest() if regular else entry.lstat().st_mode
+        status = entry.lstat()
+        if not stat.S_ISREG(status.st_mode):
+            entries[entry.name] = status.st_mode
+        elif status.st_size > LARGE or status.st_mode & stat.S_IRUSR == 0:
+            entries[entry.name] = status.st_size, status.st_mtime_ns
+        else:
+            entries[entry.name] = hashlib.sha256(entry.read_bytes()).hexdigest()
     return entries
 
 
-def run(command, files, environment):
+def run(command, files, prefix, environment):
     """(exit code, stdout, stderr, whether the folder is as it was) of the command in a folder of those files."""
     if callable(files):
         files()
     else:
         write(files)
     before = listing()
-    done = subprocess.run(command.split(), env=environment, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=60)
+    done = subprocess.run([*prefix, *command.split()], env=environment, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=60)
     stderr = done.stderr.replace(os.path.realpath("."), "FOLDER").replace(os.path.realpath(".."), "FOLDER")
     return done.returncode, done.stdout, stderr, listing() == before
 
@@ -270,7 +371,8 @@ def main():
     environment = dict(os.environ, PATH=f"{options.bin.resolve()}{os.pathsep}{os.environ['PATH']}", LC_ALL="C")
     environment.pop("ROS_PACKAGE_PATH", None)
 
-    failed = 0
+    failed = skipped = 0
+    prefix = without_privileges()
     with tempfile.TemporaryDirectory() as scratch:
         profile = pathlib.Path(scratch) / "hand.h5"
         subprocess.run(["uhas-build-profile", "--quiet", HAND / "allegro_right.urdf", "-o", profile], env=environment,
@@ -280,13 +382,17 @@ def main():
             folder.mkdir()
             os.chdir(folder)
             shutil.copy(profile, "hand.h5")
-            result = run(command, files, environment)
+            if prefix is None and "Permission denied" in message:
+                print(f"SKIPPED: {name}: permissions do not bind here")
+                skipped += 1
+                continue
+            result = run(command, files, prefix or [], environment)
             expected = (1, "", f"{command.split()[0]}: error: {message}\n", True)
             print(f"{'ok' if result == expected else 'FAILED':6}  {name}")
             if result != expected:
                 failed += 1
                 print(f"  expected {expected}\n  found    {result}")
-    print(f"{len(CASES)} cases, {failed} failed")
+    print(f"{len(CASES)} cases, {failed} failed, {skipped} skipped")
     return 1 if failed else 0
 
 

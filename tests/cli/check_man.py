@@ -4,7 +4,8 @@
     check_man.py --bin build/dev/bin
 
 Every tool has a page and every page a tool. Every option of the tool's parser (--describe) is in --help and on the page, by the
-same names, with the same argument and the same default; every option of both is one of the parser's. uhas(7) names every tool,
+same names, with the same argument and the same default; every option of both is one of the parser's. uhas(7) names every tool
+and every bound with its option and default,
 uhas-hand-config(5) every key of the schema, uhas-hand-profile(5) every dataset of the list, and none that is not there. The
 examples of every page run, leave stderr empty, and print what the page shows. mandoc finds no fault, where mandoc is installed.
 """
@@ -116,6 +117,18 @@ def check_overviews(pages):
     yield from difference({entry["path"] for entry in listed}, "the list", datasets, "uhas-hand-profile(5)")
 
 
+def check_limits(pages, bin_folder):
+    """Faults of the table of limits of uhas(7), whose rows are `what Ta default Ta Fl -max-...`, against the tools."""
+    text = next(page for page in pages if page.name == "uhas.7").read_text()
+    table = {f"-{option} [{default}]" for default, option in re.findall(r"^\.It .* Ta (\d+) Ta Fl (-max-\S+)$", text, re.M)}
+    limits = set()
+    for tool in bin_folder.glob("uhas-*"):
+        described = subprocess.run([tool, "--describe", "json"], capture_output=True, text=True, check=True).stdout
+        for names, (_, default) in options_of_parser(json.loads(described)).items():
+            limits |= {f"{name} [{default}]" for name in names if name.startswith("--max-")}
+    return difference(limits, "the tools", table, "the table of uhas(7)")
+
+
 def check_sections(page):
     sections = mdoc.sections_of(page.read_text())
     missing = [title for title in SECTIONS[page.suffix[1:]] if title not in sections]
@@ -156,7 +169,7 @@ def main():
     pages = sorted((ROOT / "man").iterdir())
     # the Python that has h5py, as the examples call it
     environment = dict(os.environ, PATH=f"{bin_folder}:{pathlib.Path(sys.executable).parent}:{os.environ['PATH']}")
-    faults = [*check_tools(pages, bin_folder), *check_overviews(pages), *lint(pages)]
+    faults = [*check_tools(pages, bin_folder), *check_overviews(pages), *check_limits(pages, bin_folder), *lint(pages)]
     for page in pages:
         faults += check_sections(page) + run_examples(page, environment)
     print("\n".join(faults) if faults else f"{len(pages)} pages agree with tools and formats")

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "common/json_text.hpp"
 #include "uhas/base/errors.hpp"
 
 namespace uhas::tools {
 namespace {
 
-constexpr std::uint64_t kMaxFileBytes = 64u << 20;
 constexpr std::size_t kMaxActionSize = kSlotCount * (1 + kMaxDrivingVectors);
 
 /// Says where a problem is: the file and, within it, the action.
@@ -102,8 +100,8 @@ SolveOptions convention_named(const Json& name, const Place& place) {
 
 }  // namespace
 
-ActionsDocument read_actions(const std::string& path) {
-  const Json json = read_json_file(path, kMaxFileBytes);
+ActionsDocument read_actions(const std::string& path, const ActionsLimits& limits) {
+  const Json json = read_json_file(path, limits.max_json_bytes);
   const Place place{path, ""};
   if (!json.is_object() || json.value("format", Json()) != "uhas-actions")
     throw place.error("is not a file of actions: no \"format\": \"uhas-actions\"", "see schemas/actions.schema.json");
@@ -130,6 +128,11 @@ ActionsDocument read_actions(const std::string& path) {
 
   if (!json.contains("actions") || !json["actions"].is_array())
     throw place.error("actions is missing or not an array", "write \"actions\": [[15 numbers], ...]");
+  if (const std::size_t count = json["actions"].size(); count > limits.max_actions)
+    throw Error(ErrorCode::limit_exceeded, path,
+                "has " + std::to_string(count) + " actions, more than the bound of " +
+                    std::to_string(limits.max_actions) + " for a file",
+                "stream them through uhas-solve -, which takes any number, or raise the bound by --max-actions");
   std::size_t size = action_size_for(document.driving_vectors_phi, place);
   for (const Json& value : json["actions"]) {
     const Place here{path, "action " + std::to_string(document.actions.size())};

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "common/json_text.hpp"
 #include "uhas/runtime/cascade_solver.hpp"
 
 namespace uhas::tools {
@@ -28,8 +29,14 @@ struct ActionsDocument {
   Action<double> action(std::size_t index) const { return {actions[index], driving_vectors_phi, normalized}; }
 };
 
-/// Throws Error: file_unreadable, limit_exceeded (over 64 MiB), syntax, invalid_action naming the file and the action.
-ActionsDocument read_actions(const std::string& path);
+/// What a file of actions may have at most.
+struct ActionsLimits {
+  std::uint64_t max_json_bytes = kMaxJsonBytes;
+  std::uint64_t max_actions = 1'000'000;
+};
+
+/// Throws Error: file_unreadable, limit_exceeded, syntax, invalid_action naming the file and the action.
+ActionsDocument read_actions(const std::string& path, const ActionsLimits& limits = {});
 
 /// The action in one line of JSON Lines: an array or an object. Throws Error: syntax, invalid_action.
 std::vector<double> parse_action(std::string_view line);

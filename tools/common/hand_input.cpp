@@ -1,5 +1,6 @@
 #include "common/hand_input.hpp"
 
+#include "common/limits.hpp"
 #include "common/progress.hpp"
 
 namespace uhas::tools {
@@ -9,6 +10,7 @@ void add_hand_options(CLI::App& app, HandInput& input) {
   app.add_option("--config", input.config_file, "Hand config (JSON) that overrides what would be inferred")
       ->type_name("FILE");
   add_load_options(app, input.settings.load);
+  add_limit(app, "--max-config-bytes", input.max_config_bytes, "Refuse a larger hand config");
   add_choice<GeometrySource>(
       app, "--geometry", input.settings.load.geometry,
       {{"visual", GeometrySource::visual}, {"collision", GeometrySource::collision}, {"both", GeometrySource::both}},
@@ -35,12 +37,11 @@ void add_load_options(CLI::App& app, LoadOptions& load) {
       ->option_text("NAME=DIR");
   app.add_flag("--allow-outside", load.allow_outside,
                "Read meshes outside the folder of the model and of its packages, too");
-  app.add_option("--max-triangles", load.max_triangles, "Refuse a hand of more triangles [20000000]")
-      ->check(CLI::PositiveNumber.description(""))
-      ->type_name("N");
-  app.add_option("--max-mesh-bytes", load.max_mesh_bytes, "Refuse larger mesh files [536870912]")
-      ->check(CLI::PositiveNumber.description(""))
-      ->type_name("N");
+  add_limit(app, "--max-urdf-bytes", load.max_urdf_bytes, "Refuse a larger URDF");
+  add_limit(app, "--max-links", load.max_links, "Refuse a model of more links")
+      ->check(CLI::Range(1, 10'000).description(""));  // as many in a chain leave urdfdom's stack room
+  add_limit(app, "--max-mesh-bytes", load.max_mesh_bytes, "Refuse a larger mesh file");
+  add_limit(app, "--max-triangles", load.max_triangles, "Refuse a hand of more triangles");
 }
 
 void add_lateral_options(CLI::App& app, LateralTableOptions& options) {
@@ -60,7 +61,7 @@ void add_surface_options(CLI::App& app, CorrespondenceOptions& options) {
 
 BuildStages run_stages(const Tool& tool, HandInput& input, Stage last) {
   input.settings.load.in_child = tool.child_limits();
-  if (!input.config_file.empty()) input.settings.config = read_hand_config(input.config_file);
+  if (!input.config_file.empty()) input.settings.config = read_hand_config(input.config_file, input.max_config_bytes);
   BuildStages stages;
   {
     Progress progress(tool, static_cast<int>(last) + 1);

@@ -97,7 +97,7 @@ Json parse_json(std::string_view text, const std::string& file) {
 }
 
 Json read_json_file(const std::string& path, std::uint64_t max_bytes) {
-  const std::vector<std::byte> bytes = read_file(path, max_bytes);
+  const std::vector<std::byte> bytes = read_file(path, max_bytes, "split it, or raise the bound by --max-json-bytes");
   return parse_json({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path);
 }
 

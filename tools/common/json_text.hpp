@@ -31,7 +31,9 @@ std::string to_line(const Json& document);
 /// Parses `text`. Throws Error(syntax) naming `file` and the line, also for more than 16 levels of nesting.
 Json parse_json(std::string_view text, const std::string& file);
 
-/// Reads and parses a file. Throws Error: file_unreadable, limit_exceeded, syntax.
+inline constexpr std::uint64_t kMaxJsonBytes = 64u << 20;
+
+/// Reads and parses a file of at most `max_bytes`, the bound of --max-json-bytes. Throws Error: file_unreadable, limit_exceeded, syntax.
 Json read_json_file(const std::string& path, std::uint64_t max_bytes);
 
 }  // namespace uhas::tools

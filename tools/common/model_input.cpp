@@ -6,15 +6,14 @@
 #include "common/hand_input.hpp"
 #include "common/profile_check.hpp"
 #include "uhas/base/errors.hpp"
-#include "uhas/base/file_bytes.hpp"
 #include "uhas/base/sha256.hpp"
 #include "uhas/profile_builder/settings_json.hpp"
 
 namespace uhas::tools {
 namespace {
 
-std::string sha256_of_urdf(const std::string& path) {
-  return sha256_hex(read_file(path, LoadOptions{}.max_urdf_bytes));
+std::string sha256_of_urdf(const std::string& path, const LoadOptions& load) {
+  return sha256_hex(read_urdf_file(path, load));
 }
 
 /// The SHA-256 of the URDF; empty for a profile that was not built from files.
@@ -23,14 +22,14 @@ std::string stated_sha256(const HandProfile& profile) {
 }
 
 /// A file beside the profile or in the current folder that is its URDF; empty when there is none.
-std::string urdf_nearby(const ProfileFile& file) {
+std::string urdf_nearby(const ProfileFile& file, const LoadOptions& load) {
   if (file.profile.sources.empty()) return {};
   const std::filesystem::path name = std::filesystem::path(file.profile.sources.front().name).filename();
   for (const std::filesystem::path& folder :
        {std::filesystem::path(file.path).parent_path(), std::filesystem::path()}) {
     const std::string path = (folder / name).string();
     std::error_code ignored;
-    if (std::filesystem::is_regular_file(path, ignored) && sha256_of_urdf(path) == stated_sha256(file.profile))
+    if (std::filesystem::is_regular_file(path, ignored) && sha256_of_urdf(path, load) == stated_sha256(file.profile))
       return path;
   }
   return {};
@@ -67,7 +66,7 @@ HandModel load_model_of(const HandProfile& profile, const std::string& profile_p
 std::vector<std::optional<ModelFile>> find_models(std::span<const ProfileFile> profiles, const ModelInput& input) {
   std::vector<std::string> sha256;
   for (const std::string& urdf : input.urdfs) {
-    sha256.push_back(sha256_of_urdf(urdf));
+    sha256.push_back(sha256_of_urdf(urdf, input.load));
     if (std::ranges::none_of(profiles,
                              [&](const ProfileFile& file) { return stated_sha256(file.profile) == sha256.back(); }))
       throw Error(ErrorCode::invalid_model, urdf,
@@ -79,8 +78,8 @@ std::vector<std::optional<ModelFile>> find_models(std::span<const ProfileFile> p
   std::vector<std::optional<ModelFile>> models;
   for (const ProfileFile& file : profiles) {
     const auto named = std::ranges::find(sha256, stated_sha256(file.profile));
-    const std::string urdf =
-        named == sha256.end() ? urdf_nearby(file) : input.urdfs[static_cast<std::size_t>(named - sha256.begin())];
+    const std::string urdf = named == sha256.end() ? urdf_nearby(file, input.load)
+                                                   : input.urdfs[static_cast<std::size_t>(named - sha256.begin())];
     models.push_back(urdf.empty() ? std::nullopt : std::optional(load_unchanged(file, urdf, input)));
   }
   return models;

@@ -6,6 +6,8 @@
 #include <string_view>
 
 #include "common/command_line.hpp"
+#include "common/library_versions.hpp"
+#include "common/limits.hpp"
 #include "common/terminal.hpp"
 #include "uhas/base/errors.hpp"
 #include "uhas/profile/hand_profile.hpp"
@@ -13,10 +15,13 @@
 namespace uhas::tools {
 namespace {
 
-/// "uhas-solve 0.1.0", then the versions of the formats.
-std::string version_text(const std::string& tool) {
-  return tool + " " UHAS_VERSION "\nhand profile format " + std::to_string(kProfileVersionMajor) + "." +
-         std::to_string(kProfileVersionMinor) + "\nJSON formats " + std::to_string(kJsonVersion);
+/// "uhas-solve 0.1.0", then the versions of the formats and, when asked for, of the libraries.
+std::string version_text(const std::string& tool, bool with_libraries) {
+  std::string text = tool + " " UHAS_VERSION "\nhand profile format " + std::to_string(kProfileVersionMajor) + "." +
+                     std::to_string(kProfileVersionMinor) + "\nJSON formats " + std::to_string(kJsonVersion);
+  if (with_libraries)
+    for (const std::string& library : library_versions()) text += "\n" + library;
+  return text;
 }
 
 /// What the parser knows, in the form of this name: a document or a completion script. Empty for other names.
@@ -40,17 +45,13 @@ void Tool::parse() {
   app_.add_flag("--json", json_, "Print the result as JSON");
   app_.add_flag("--quiet", quiet_, "Print no warnings and no progress");
   app_.add_flag("--verbose", verbose_, "Say on stderr what is being done");
-  app_.set_version_flag("--version", version_text(name_), "Print the version and exit");
+  app_.set_version_flag(  // CLI11 has read --verbose by then, wherever it stands
+      "--version", [this] { return version_text(name_, verbose_); },
+      "Print the version and exit; with --verbose those of the libraries, too");
   app_.set_help_flag("-h,--help", "Print this help and exit");
-  app_.add_option("--max-read-seconds", child_limits_.max_seconds, "End the reading of a file that takes longer [60]")
-      ->check(CLI::PositiveNumber.description(""))
-      ->type_name("N")
-      ->group("Limits");
-  app_.add_option("--max-read-bytes", child_limits_.max_memory_bytes,
-                  "End the reading of files that takes more memory [4294967296]")
-      ->check(CLI::PositiveNumber.description(""))
-      ->type_name("N")
-      ->group("Limits");
+  add_limit(app_, "--max-read-seconds", child_limits_.max_seconds, "End the reading of a file that takes longer");
+  add_limit(app_, "--max-read-bytes", child_limits_.max_memory_bytes,
+            "End the reading of a file that takes more memory");
   app_.footer("Exit codes: 0 done, 1 the input or the run failed, 2 wrong usage.");
   if (argc_ == 3 && std::string_view(argv_[1]) == "--describe") {  // for the build and the tests; not in --help
     const std::string text = description(app_, argv_[2]);

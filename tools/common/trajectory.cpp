@@ -1,11 +1,16 @@
 #include "common/trajectory.hpp"
 
+#include <unistd.h>
+
+#include <cerrno>
 #include <cmath>
 #include <filesystem>
+#include <system_error>
 
 #include "common/tool.hpp"
 #include "common/trajectory_hdf5.hpp"
 #include "common/trajectory_json.hpp"
+#include "common/trajectory_in_child.hpp"
 #include "uhas/base/errors.hpp"
 
 namespace uhas::tools {
@@ -29,16 +34,20 @@ double TrajectorySummary::residual_rms() const {
   return frames == 0 ? 0 : std::sqrt(sum_of_squares / static_cast<double>(frames));
 }
 
-std::unique_ptr<TrajectoryReader> open_trajectory(const std::string& path) {
+std::unique_ptr<TrajectoryReader> open_trajectory(const std::string& path, const TrajectoryLimits& limits,
+                                                  const ChildLimits& child_limits) {
   const TrajectoryKind kind = trajectory_kind(path);
   if (std::error_code ignored; !std::filesystem::exists(path, ignored))
     throw Error(ErrorCode::file_unreadable, path, "the file does not exist", "check the path");
+  if (::access(path.c_str(), R_OK) != 0)
+    throw Error(ErrorCode::file_unreadable, path, "cannot be opened: " + std::generic_category().message(errno),
+                "check the path and its permissions");
   switch (kind) {
-    case TrajectoryKind::json: return open_json_trajectory(path);
+    case TrajectoryKind::json: return open_json_trajectory(path, limits.max_json_bytes);
     case TrajectoryKind::json_lines: return open_json_lines_trajectory(path);
     case TrajectoryKind::hdf5: break;
   }
-  return open_hdf5_trajectory(path);
+  return open_hdf5_trajectory_in_child(path, limits.max_hdf5_bytes, child_limits);
 }
 
 std::unique_ptr<TrajectoryWriter> create_trajectory(TrajectoryKind kind, const std::string& path,

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "common/json_text.hpp"
+#include "uhas/base/child_process.hpp"
 #include "uhas/runtime/encoder.hpp"
 
 namespace uhas::tools {
@@ -56,8 +58,16 @@ class TrajectoryReader {
   TrajectoryHeader header_;
 };
 
-/// Throws Error: file_unreadable, limit_exceeded (JSON over 64 MiB), syntax, unsupported_version.
-std::unique_ptr<TrajectoryReader> open_trajectory(const std::string& path);
+/// What a file may have at most; JSON Lines may be of any length.
+struct TrajectoryLimits {
+  std::uint64_t max_json_bytes = kMaxJsonBytes;
+  std::uint64_t max_hdf5_bytes = std::uint64_t{4} << 30;  ///< of all values together, unpacked
+};
+
+/// @param child_limits  of the process that reads HDF5
+/// Throws Error: file_unreadable, limit_exceeded, syntax, unsupported_version.
+std::unique_ptr<TrajectoryReader> open_trajectory(const std::string& path, const TrajectoryLimits& limits,
+                                                  const ChildLimits& child_limits);
 
 /// A trajectory being written. A file appears whole, by `finish`, or not at all.
 class TrajectoryWriter {

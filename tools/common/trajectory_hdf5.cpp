@@ -20,14 +20,16 @@ constexpr hsize_t kMaxJoints = 1000;
 constexpr std::size_t kMaxNameBytes = 1000;
 
 // What h5py and MATLAB write of a trajectory, and no more.
-constexpr Hdf5Bounds kBounds{.kind = "a trajectory",
-                             .refusal = ErrorCode::syntax,
-                             .refusal_remedy = "store plain numbers and names",
-                             .bound_remedy = "cut it into parts",
-                             .max_rows = 1u << 28,
-                             .max_bytes = (std::uint64_t{1} << 32) - 1,
-                             .allow_variable_text = true,
-                             .allow_shuffle = true};
+Hdf5Bounds bounds(std::uint64_t max_bytes) {
+  return {.kind = "a trajectory",
+          .refusal = ErrorCode::syntax,
+          .refusal_remedy = "store plain numbers and names",
+          .bound_remedy = "cut it into parts or raise the bound by --max-hdf5-bytes",
+          .max_rows = max_bytes,  // a row has a byte at least
+          .max_bytes = max_bytes,
+          .allow_variable_text = true,
+          .allow_shuffle = true};
+}
 
 /// An HDF5 identifier that closes itself.
 class Handle {
@@ -283,8 +285,8 @@ void silence_hdf5() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
 
 }  // namespace
 
-std::unique_ptr<TrajectoryReader> open_hdf5_trajectory(const std::string& path) {
-  check_hdf5_bounds(path, kBounds);
+std::unique_ptr<TrajectoryReader> open_hdf5_trajectory(const std::string& path, std::uint64_t max_bytes) {
+  check_hdf5_bounds(path, bounds(max_bytes));
   silence_hdf5();
   Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   if (!file.valid())

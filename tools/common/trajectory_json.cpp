@@ -14,7 +14,6 @@ namespace uhas::tools {
 namespace {
 
 constexpr const char* kFormat = "uhas-trajectory";
-constexpr std::uint64_t kMaxFileBytes = 64u << 20;
 constexpr std::size_t kBufferedBytes = 1u << 16;
 
 Error wrong(const std::string& place, const std::string& problem, const std::string& remedy) {
@@ -151,8 +150,8 @@ class JsonLinesWriter : public TrajectoryWriter {
 
 }  // namespace
 
-std::unique_ptr<TrajectoryReader> open_json_trajectory(const std::string& path) {
-  Json document = read_json_file(path, kMaxFileBytes);
+std::unique_ptr<TrajectoryReader> open_json_trajectory(const std::string& path, std::uint64_t max_bytes) {
+  Json document = read_json_file(path, max_bytes);
   const std::optional<TrajectoryHeader> header = header_of(document, path);
   if (!header || !document.contains("q") || !document["q"].is_array())
     throw wrong(path, "is not a trajectory: no \"joint_names\" or no \"q\"", "see schemas/trajectory.schema.json");

@@ -8,7 +8,7 @@
 
 namespace uhas::tools {
 
-std::unique_ptr<TrajectoryReader> open_json_trajectory(const std::string& path);
+std::unique_ptr<TrajectoryReader> open_json_trajectory(const std::string& path, std::uint64_t max_bytes);
 std::unique_ptr<TrajectoryReader> open_json_lines_trajectory(const std::string& path);
 std::unique_ptr<TrajectoryWriter> create_json_trajectory(const std::string& path, const TrajectoryHeader& header);
 std::unique_ptr<TrajectoryWriter> create_json_lines_trajectory(const std::string& path, const TrajectoryHeader& header);

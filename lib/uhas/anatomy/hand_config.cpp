@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string_view>
 
 #include "uhas/anatomy/nearest_name.hpp"
 #include "uhas/base/errors.hpp"
+#include "uhas/base/file_bytes.hpp"
 
 namespace uhas {
 namespace {
@@ -18,7 +18,6 @@ using nlohmann::json;
 
 constexpr const char* kFormat = "uhas-hand-config";
 constexpr int kVersion = 1;
-constexpr std::size_t kMaxBytes = 1u << 20;
 constexpr int kMaxDepth = 8;
 constexpr std::array<std::string_view, 13> kKeys = {
     "format",        "version",    "comment", "palm_link", "palm_normal_in_root", "fingers", "fingertips", "thumb",
@@ -214,17 +213,10 @@ std::string doubt(const Finding& finding) {
          "\" in a hand config if it is wrong";
 }
 
-HandConfig read_hand_config(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string text(kMaxBytes + 1, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (!file.is_open() || file.bad())
-    throw Error(ErrorCode::file_unreadable, path, "cannot be read", "check the path and its permissions");
-  text.resize(static_cast<std::size_t>(file.gcount()));
-  if (text.size() > kMaxBytes)
-    throw Error(ErrorCode::limit_exceeded, path,
-                "has more than the " + std::to_string(kMaxBytes) + " bytes allowed for a hand config", "");
-  return parse_hand_config(text, path);
+HandConfig read_hand_config(const std::string& path, std::uint64_t max_bytes) {
+  const std::vector<std::byte> bytes =
+      read_file(path, max_bytes, "make sure that it is a hand config, or raise the bound by --max-config-bytes");
+  return parse_hand_config({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path);
 }
 
 HandConfig parse_hand_config(const std::string& text, const std::string& file) {

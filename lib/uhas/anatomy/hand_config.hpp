@@ -1,6 +1,7 @@
 // The hand config: what a user states about a hand instead of having it inferred (schemas/hand-config.schema.json).
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -44,10 +45,12 @@ struct HandConfig {
   std::map<std::string, StatedLimits> joint_limits;  ///< joint -> limits within those of the URDF
 };
 
-/// Reads a hand config from a JSON file of at most 1 MiB; absent keys, and "" for a link or a handedness, mean "infer".
+inline constexpr std::uint64_t kMaxHandConfigBytes = 1u << 20;
+
+/// Reads a hand config from a JSON file of at most `max_bytes`; absent keys, and "" for a link or a handedness, mean "infer".
 /// Throws Error: file_unreadable, limit_exceeded, syntax, unsupported_version, invalid_config (an unknown key names the
 /// nearest known one).
-HandConfig read_hand_config(const std::string& path);
+HandConfig read_hand_config(const std::string& path, std::uint64_t max_bytes = kMaxHandConfigBytes);
 
 /// The same from JSON text; `file` names its source in errors.
 HandConfig parse_hand_config(const std::string& text, const std::string& file);

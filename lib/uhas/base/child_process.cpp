@@ -15,6 +15,7 @@
 #include <new>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "uhas/base/file_descriptor_detail.hpp"
 
@@ -118,93 +119,74 @@ constexpr const char* kDoNotTrust = "do not trust the file";
 
 Error too_much(const ChildLimits& limits, const std::string& file) {
   return {ErrorCode::limit_exceeded, file,
-          "cannot be read within " + std::to_string(static_cast<int>(limits.max_seconds)) + " s and " +
+          "cannot be read within " + std::to_string(limits.max_seconds) + " s and " +
               std::to_string(limits.max_memory_bytes >> 20) + " MiB of memory",
           std::string(kDoNotTrust) + ", or raise the bounds by --max-read-seconds and --max-read-bytes"};
 }
 
-// A copy of this process at work, ended with this object.
-class Child {
- public:
-  Child(const ChildLimits& limits, ErrorCode blame, std::span<const std::string> files,
-        const std::function<std::vector<std::byte>(std::size_t)>& work)
-      : limits_(limits), blame_(blame) {
-    std::array<int, 2> ends{};
-    if (::pipe2(ends.data(), O_CLOEXEC) != 0)
-      throw Error(ErrorCode::file_unreadable, files.front(), "no pipe can be made: " + errno_text(),
-                  "close some files");
-    in_.emplace(ends[0]);
-    const FileDescriptor out(ends[1]);
-    ::fcntl(in_->number(), F_SETPIPE_SZ, 1 << 20);  // fewer changes between the two; without it, it is only slower
-    process_ = ::fork();
-    if (process_ < 0)
-      throw Error(ErrorCode::file_unreadable, files.front(), "no child process can be made: " + errno_text(),
-                  "end some processes");
-    if (process_ == 0) be_the_child(limits, blame, out.number(), files.size(), work);
-  }
-  Child(const Child&) = delete;
-  Child& operator=(const Child&) = delete;
-  ~Child() {
-    if (process_ > 0) end();
-  }
+}  // namespace
 
-  // Its next answer, about `file`.
-  std::vector<std::byte> answer(const std::string& file) {
-    const auto deadline =
-        Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limits_.max_seconds));
-    AnswerHead head;
-    require(read_all(in_->number(), deadline, std::as_writable_bytes(std::span(&head, 1))), file);
-    if (head.size > limits_.max_memory_bytes) throw too_much(limits_, file);
-    std::vector<std::byte> bytes(head.size);
-    require(read_all(in_->number(), deadline, bytes), file);
-    if (head.kind == Answer::result) return bytes;
+struct ChildProcess::State {
+  ChildLimits limits;
+  ErrorCode blame;
+  FileDescriptor in;
+  pid_t process;
 
-    ErrorCode code = blame_;
-    const std::size_t code_size = std::min(sizeof code, bytes.size());
-    std::memcpy(&code, bytes.data(), code_size);
-    const std::string text(reinterpret_cast<const char*>(bytes.data()) + code_size, bytes.size() - code_size);
-    if (text.empty()) throw too_much(limits_, file);
-    throw Error(code, "", text, "");
-  }
-
- private:
-  void require(Reading reading, const std::string& file) {
-    if (reading == Reading::too_long) throw too_much(limits_, file);
+  // Fills `bytes` with what the child answers next.
+  void receive(std::span<std::byte> bytes, Clock::time_point deadline, const std::string& file) {
+    const Reading reading = read_all(in.number(), deadline, bytes);
+    if (reading == Reading::too_long) throw too_much(limits, file);
     if (reading == Reading::whole) return;
-    const int status = status_of(process_);
-    process_ = -1;
-    throw Error(blame_, file,
+    const int status = status_of(std::exchange(process, -1));
+    throw Error(blame, file,
                 "the process that read it was brought down" +
                     (WIFSIGNALED(status) ? " (" + std::string(::strsignal(WTERMSIG(status))) + ")" : std::string()),
                 kDoNotTrust);
   }
-
-  void end() const {
-    ::kill(process_, SIGKILL);
-    status_of(process_);
-  }
-
-  const ChildLimits& limits_;
-  ErrorCode blame_;
-  std::optional<FileDescriptor> in_;
-  pid_t process_ = -1;
 };
 
-}  // namespace
+ChildProcess::ChildProcess(const ChildLimits& limits, ErrorCode blame, const std::string& file, std::size_t count,
+                           std::function<std::vector<std::byte>(std::size_t i)> work) {
+  std::array<int, 2> ends{};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0)
+    throw Error(ErrorCode::file_unreadable, file, "no pipe can be made: " + errno_text(), "close some files");
+  state_.reset(new State{limits, blame, FileDescriptor(ends[0]), -1});
+  const FileDescriptor out(ends[1]);
+  ::fcntl(ends[0], F_SETPIPE_SZ, 1 << 20);  // fewer changes between the two; without it, it is only slower
+  state_->process = ::fork();
+  if (state_->process < 0)
+    throw Error(ErrorCode::file_unreadable, file, "no child process can be made: " + errno_text(),
+                "end some processes");
+  if (state_->process == 0) be_the_child(limits, blame, out.number(), count, work);
+}
 
-std::vector<std::vector<std::byte>> in_child(const ChildLimits& limits, ErrorCode blame,
-                                             std::span<const std::string> files,
-                                             const std::function<std::vector<std::byte>(std::size_t i)>& work) {
-  std::vector<std::vector<std::byte>> results;
-  if (files.empty()) return results;
-  Child child(limits, blame, files, work);
-  for (const std::string& file : files) results.push_back(child.answer(file));
-  return results;
+ChildProcess::~ChildProcess() {
+  if (state_->process < 0) return;
+  ::kill(state_->process, SIGKILL);
+  status_of(state_->process);
+}
+
+std::vector<std::byte> ChildProcess::next(const std::string& file) {
+  constexpr std::uint64_t a_year = 365 * 24 * 3600;  // beyond it, sums of time could overflow
+  const auto deadline = Clock::now() + std::chrono::seconds(std::min(state_->limits.max_seconds, a_year));
+  AnswerHead head;
+  state_->receive(std::as_writable_bytes(std::span(&head, 1)), deadline, file);
+  if (head.size > state_->limits.max_memory_bytes) throw too_much(state_->limits, file);
+  std::vector<std::byte> bytes(head.size);
+  state_->receive(bytes, deadline, file);
+  if (head.kind == Answer::result) return bytes;
+
+  ErrorCode code = state_->blame;
+  const std::size_t code_size = std::min(sizeof code, bytes.size());
+  std::memcpy(&code, bytes.data(), code_size);
+  const std::string text(reinterpret_cast<const char*>(bytes.data()) + code_size, bytes.size() - code_size);
+  if (text.empty()) throw too_much(state_->limits, file);
+  throw Error(code, "", text, "");
 }
 
 std::vector<std::byte> in_child(const ChildLimits& limits, ErrorCode blame, const std::string& file,
                                 const std::function<std::vector<std::byte>()>& work) {
-  return std::move(in_child(limits, blame, std::span(&file, 1), [&](std::size_t) { return work(); }).front());
+  return ChildProcess(limits, blame, file, 1, [&](std::size_t) { return work(); }).next(file);
 }
 
 }  // namespace uhas

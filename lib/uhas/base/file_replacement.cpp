@@ -36,13 +36,16 @@ std::string folder_of(const std::filesystem::path& path) {
   return path.has_parent_path() ? path.parent_path().string() : ".";
 }
 
-std::string unused_path(const std::string& folder) {
+/// Opens a new file in `folder` for writing; its name goes to `path`. The name is free when the file can be made:
+/// processes of several containers may share a folder, and a number.
+int open_new_file(const std::string& folder, std::string& path) {
   static std::atomic<unsigned> counter = 0;
-  std::string path;
+  int file = -1;
   do {
     path = folder + "/.uhas-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp";
-  } while (::access(path.c_str(), F_OK) == 0);
-  return path;
+    file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  } while (file < 0 && errno == EEXIST);
+  return file;
 }
 
 }  // namespace
@@ -52,8 +55,7 @@ struct FileReplacement::State {
       : path(named),
         target(replaceable_path(named)),
         folder(folder_of(target)),
-        temporary(unused_path(folder)),
-        file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666)) {}
+        file(open_new_file(folder, temporary)) {}
 
   std::string path;  // as the caller names it
   std::filesystem::path target;

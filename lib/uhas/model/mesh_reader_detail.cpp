@@ -235,14 +235,13 @@ std::vector<TriangleMesh> read_meshes(std::span<const MeshFile> files, const Loa
     for (const MeshFile& file : files) meshes.push_back(read(file));
     return meshes;
   }
-  std::vector<std::string> paths;
-  for (const MeshFile& file : files) paths.push_back(file.path);
-  const auto answers = in_child(*options.in_child, ErrorCode::invalid_mesh, paths, [&](std::size_t i) {
+  if (files.empty()) return meshes;
+  ChildProcess child(*options.in_child, ErrorCode::invalid_mesh, files.front().path, files.size(), [&](std::size_t i) {
     TriangleMesh mesh = read(files[i]);
     return to_bytes({std::move(mesh), sources.files()});
   });
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    ReadMesh answer = read_mesh_from_bytes(answers[i], paths[i]);
+  for (const MeshFile& file : files) {
+    ReadMesh answer = read_mesh_from_bytes(child.next(file.path), file.path);
     meshes.push_back(std::move(answer.mesh));
     sources.replace(std::move(answer.sources));
   }

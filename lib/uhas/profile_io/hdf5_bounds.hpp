@@ -15,7 +15,7 @@ struct Hdf5Bounds {
   const char* refusal_remedy = "rebuild it with uhas-build-profile";
   const char* bound_remedy = "build it with fewer samples";
   std::uint64_t max_rows = 1u << 20;           ///< of each dataset
-  std::uint64_t max_bytes = 256u << 20;        ///< of all values and chunks together, unpacked; below 2^32
+  std::uint64_t max_bytes = 256u << 20;        ///< of all values and chunks together, unpacked
   std::uint64_t max_chunk_bytes = 256u << 20;  ///< of one chunk, which is unpacked whole
   bool allow_variable_text = false;            ///< text of variable length
   bool allow_shuffle = false;                  ///< the filter that often precedes deflate

@@ -1,8 +1,10 @@
 #include "uhas/profile_io/hdf5_screening_detail.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
-#include <vector>
+#include <limits>
+#include <span>
 
 #include "uhas/profile_io/hdf5_detail.hpp"
 
@@ -74,8 +76,8 @@ class Screening {
     const int rank = H5Sget_simple_extent_ndims(space);
     if (rank < 0 || H5Sget_simple_extent_type(space) == H5S_NULL) refuse(name, "has no values");
     H5Sget_simple_extent_dims(space, extents.data(), nullptr);
-    if (rank > 0 && extents[0] > bounds_.max_rows) exceed(name, "has more rows than", "have");
-    count_bytes(name, H5Tget_size(type), extents.data(), rank, bounds_.max_bytes);
+    if (rank > 0 && extents[0] > bounds_.max_rows) exceed(name, "has more rows than", "have", bounds_.bound_remedy);
+    count_bytes(name, array_bytes(H5Tget_size(type), {extents.data(), static_cast<std::size_t>(rank)}));
   }
 
   void check_storage(hid_t dataset, std::size_t value_bytes, const std::string& name) {
@@ -95,7 +97,10 @@ class Screening {
     if (layout == H5D_CHUNKED) {  // however little of the chunk the dataset covers
       std::array<hsize_t, H5S_MAX_RANK> chunk{};
       const int rank = H5Pget_chunk(creation.id(), H5S_MAX_RANK, chunk.data());
-      count_bytes(name, value_bytes, chunk.data(), rank, bounds_.max_chunk_bytes);
+      const std::uint64_t bytes = array_bytes(value_bytes, {chunk.data(), static_cast<std::size_t>(std::max(rank, 0))});
+      if (bytes > bounds_.max_chunk_bytes)
+        exceed(name, "has a larger chunk than", "have", "store it in smaller chunks");
+      count_bytes(name, bytes);
     }
   }
 
@@ -108,26 +113,31 @@ class Screening {
   }
 
   void count_object(const std::string& name) {
-    if (++objects_ > max_objects) exceed(name, "is one object more than", "have");
+    if (++objects_ > max_objects) exceed(name, "is one object more than", "have", bounds_.refusal_remedy);
   }
 
-  void count_bytes(const std::string& name, std::size_t value_bytes, const hsize_t* extents, int rank,
-                   std::uint64_t most) {
+  /// The largest number when the size is beyond it.
+  static std::uint64_t array_bytes(std::uint64_t value_bytes, std::span<const hsize_t> extents) {
+    constexpr std::uint64_t largest = std::numeric_limits<std::uint64_t>::max();
     std::uint64_t bytes = value_bytes;
-    for (int i = 0; i < rank; ++i) {
-      if (extents[i] > most || bytes > most) exceed(name, "is larger than", "be");
-      bytes *= extents[i];  // both below 2^32
+    for (const hsize_t extent : extents) {
+      if (extent != 0 && bytes > largest / extent) return largest;
+      bytes *= extent;
     }
-    if (bytes > most || bytes_ + bytes > bounds_.max_bytes) exceed(name, "is larger than", "be");
+    return bytes;
+  }
+
+  void count_bytes(const std::string& name, std::uint64_t bytes) {
+    if (bytes > bounds_.max_bytes - bytes_) exceed(name, "is larger than", "be", bounds_.bound_remedy);
     bytes_ += bytes;
   }
 
   [[noreturn]] void refuse(const std::string& name, const std::string& problem) const {
     throw Error(bounds_.refusal, path_, name + " " + problem, bounds_.refusal_remedy);
   }
-  [[noreturn]] void exceed(const std::string& name, const std::string& more_than, const std::string& verb) const {
-    throw Error(ErrorCode::limit_exceeded, path_, name + " " + more_than + " " + bounds_.kind + " can " + verb,
-                bounds_.bound_remedy);
+  [[noreturn]] void exceed(const std::string& name, const std::string& more_than, const std::string& verb,
+                           const std::string& remedy) const {
+    throw Error(ErrorCode::limit_exceeded, path_, name + " " + more_than + " " + bounds_.kind + " can " + verb, remedy);
   }
 
   const std::string& path_;

@@ -108,8 +108,8 @@ TEST_CASE("a file that is no JSON names the line, a missing file its path") {
   const Refusal refused = refusal("{\n\"palm_link\": \"palm\"\n\"handedness\": \"left\"}");
   CHECK(refused.code == ErrorCode::syntax);
   CHECK(contains(refused.message, "hand.json:3: not valid JSON"));
-  CHECK_THROWS_WITH_AS(read_hand_config("/nowhere/hand.json"), doctest::Contains("/nowhere/hand.json: cannot be read"),
-                       Error);
+  CHECK_THROWS_WITH_AS(read_hand_config("/nowhere/hand.json"),
+                       doctest::Contains("/nowhere/hand.json: the file does not exist"), Error);
 }
 
 TEST_CASE("size and nesting are bounded") {

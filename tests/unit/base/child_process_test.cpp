@@ -9,7 +9,6 @@
 #include <cstring>
 #include <fstream>
 #include <numeric>
-#include <span>
 #include <stdexcept>
 #include <thread>
 
@@ -67,33 +66,46 @@ TEST_CASE("a crash is an error that names the file and the cause") {
               [] { run([]() -> Bytes { ::_exit(7); }); });
 }
 
-TEST_CASE("one child reads several files, and the one it is at is blamed") {
-  const std::vector<std::string> files{"a.file", "b.file", "c.file"};
+TEST_CASE("one child gives several results, and the file that it is at is blamed") {
   const auto number = [](std::size_t i) { return Bytes(i + 1, static_cast<std::byte>(i)); };
-  CHECK(in_child({}, ErrorCode::invalid_mesh, files, number) == std::vector<Bytes>{number(0), number(1), number(2)});
-  CHECK(in_child({}, ErrorCode::invalid_mesh, std::span<const std::string>(), number).empty());
-  const auto crash_at_b = [&](std::size_t i) {
-    if (i == 1) ::_exit(7);
-    return number(i);
+  const auto check_two_of_three = [&](const std::function<Bytes(std::size_t)>& work, ErrorCode code,
+                                      const std::string& words) {
+    ChildProcess child({.max_seconds = 1}, ErrorCode::invalid_mesh, "a.file", 3, work);
+    CHECK(child.next("a.file") == number(0));
+    CHECK(child.next("b.file") == number(1));
+    check_error(code, words, [&] { child.next("c.file"); });
   };
-  check_error(ErrorCode::invalid_mesh, "b.file: the process that read it was brought down",
-              [&] { in_child({}, ErrorCode::invalid_mesh, files, crash_at_b); });
-  const auto hang_at_c = [&](std::size_t i) {
-    while (i == 2) std::this_thread::sleep_for(std::chrono::seconds(1));
-    return number(i);
-  };
-  check_error(ErrorCode::limit_exceeded, "c.file: cannot be read within 0 s",
-              [&] { in_child({.max_seconds = 0.2}, ErrorCode::invalid_mesh, files, hang_at_c); });
+  ChildProcess whole({}, ErrorCode::invalid_mesh, "a.file", 3, number);
+  for (std::size_t i = 0; i < 3; ++i) CHECK(whole.next("any.file") == number(i));
+
+  check_two_of_three(
+      [&](std::size_t i) {
+        if (i == 2) ::_exit(7);
+        return number(i);
+      },
+      ErrorCode::invalid_mesh, "c.file: the process that read it was brought down");
+  check_two_of_three(
+      [&](std::size_t i) {
+        while (i == 2) std::this_thread::sleep_for(std::chrono::seconds(1));
+        return number(i);
+      },
+      ErrorCode::limit_exceeded, "c.file: cannot be read within 1 s");
+}
+
+TEST_CASE("a child whose results nobody wants ends with its object") {
+  const auto start = std::chrono::steady_clock::now();
+  { ChildProcess endless({}, ErrorCode::invalid_mesh, "a.file", SIZE_MAX, [](std::size_t) { return Bytes(1u << 20); }); }
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(20));
 }
 
 TEST_CASE("a hang is ended") {
   const auto start = std::chrono::steady_clock::now();
-  check_error(ErrorCode::limit_exceeded, "some.file: cannot be read within 0 s", [] {
+  check_error(ErrorCode::limit_exceeded, "some.file: cannot be read within 1 s", [] {
     run(
         []() -> Bytes {
           for (;;) std::this_thread::sleep_for(std::chrono::seconds(1));
         },
-        {.max_seconds = 0.2});
+        {.max_seconds = 1});
   });
   CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(20));
 }

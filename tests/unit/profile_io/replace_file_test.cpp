@@ -108,3 +108,21 @@ TEST_CASE("a symbolic link is followed") {
   fs::create_symlink("nowhere/hand.h5", folder.file("dangling.h5"));
   check_write_failure(folder.file("dangling.h5"), "dangling.h5: ");
 }
+
+TEST_CASE("names that others have taken are passed over, however they came to be") {
+  const ScratchFolder folder;
+  const std::string taken = folder.file(".uhas-" + std::to_string(::getpid()) + "-");
+  constexpr int names = 500;  // more than this process has used up
+  for (int i = 0; i < names; ++i) {
+    const std::string name = taken + std::to_string(i) + ".tmp";
+    if (i % 2 == 0)
+      fs::create_symlink("nowhere", name);  // which access(2) takes for a free name and open(2) does not
+    else
+      write_bytes(name, "another process");
+  }
+  const std::string path = folder.file("hand.h5");
+  write_profile(small_profile(), path);
+  CHECK(read_profile(path) == small_profile());
+  CHECK(folder.entry_count() == names + 1);
+  for (int i = 1; i < names; i += 2) CHECK(read_bytes(taken + std::to_string(i) + ".tmp") == "another process");
+}

@@ -44,6 +44,9 @@ class NodeCounter {
   }
 
   void check() {
+    if (has_references_ && has_instances_)  // names are compared as they are written
+      throw Error(ErrorCode::invalid_mesh, file_,
+                  "nodes stand for others, and the name of a node holds a character reference", "rename the node");
     std::uint64_t total = 0;
     for (std::size_t i = 0; i < nodes_.size(); ++i)
       if (nodes_[i].is_root) total += size(i, 0).nodes;
@@ -63,24 +66,33 @@ class NodeCounter {
     Size size;
     bool being_counted = false;
   };
+  // Nodes that share an id or a name.
+  struct Namesakes {
+    std::vector<std::size_t> nodes;
+    Size largest;
+  };
 
   void read(const XmlTag& tag) {
     const std::string_view name = element(tag);
     if (name == "library_nodes") in_library_ = !tag.closes() && !tag.is_empty();
     if (name == "node") tag.closes() ? close_node() : open_node(tag);
-    if (name == "instance_node" && !open_.empty())
-      if (const std::string_view url = plain(attribute(tag, "url")); url.starts_with('#'))
-        nodes_[open_.back()].instances.push_back(url.substr(1));
+    if (name == "instance_node" && !open_.empty()) {
+      const std::string_view url = attribute(tag, "url");
+      if (url.starts_with('#')) nodes_[open_.back()].instances.push_back(url.substr(1));
+      if (url.find('&') != std::string_view::npos) has_references_ = true;
+      has_instances_ = true;
+    }
   }
 
   void open_node(const XmlTag& tag) {
     const std::size_t index = nodes_.size();
-    const std::string_view id = plain(attribute(tag, "id"));
+    const std::string_view id = attribute(tag, "id"), name = attribute(tag, "name");
     nodes_.emplace_back().is_root = open_.empty();
     if (!open_.empty()) nodes_[open_.back()].children.push_back(index);
     if (open_.empty() && in_library_) library_[id] = index;
-    by_name_.emplace(id, index);
-    by_name_.emplace(plain(attribute(tag, "name")), index);
+    by_name_[id].nodes.push_back(index);
+    by_name_[name].nodes.push_back(index);
+    if (id.find('&') != std::string_view::npos || name.find('&') != std::string_view::npos) has_references_ = true;
     if (!tag.is_empty()) open_.push_back(index);
   }
 
@@ -88,29 +100,26 @@ class NodeCounter {
     if (!open_.empty()) open_.pop_back();
   }
 
-  // Names are compared as they are written, so none may be written in two ways.
-  std::string_view plain(std::string_view name) const {
-    if (name.find('&') != std::string_view::npos)
-      throw Error(ErrorCode::invalid_mesh, file_, "the name of a node holds a character reference", "rename the node");
-    return name;
-  }
-
-  // The nodes that `name` may stand for: assimp takes that of the library first, else one of the scene by id or name.
-  std::vector<std::size_t> meant_by(std::string_view name) const {
-    if (const auto found = library_.find(name); found != library_.end()) return {found->second};
-    std::vector<std::size_t> meant;
-    const auto [first, last] = by_name_.equal_range(name);
-    for (auto named = first; named != last; ++named) meant.push_back(named->second);
-    return meant;
+  // Of what `name` may stand for, at most: assimp takes the node of the library first, else one of the scene by id or
+  // name.
+  Size size_named(std::string_view name, int depth) {
+    if (const auto found = library_.find(name); found != library_.end()) return size(found->second, depth);
+    const auto found = by_name_.find(name);
+    if (found == by_name_.end()) return {};
+    Namesakes& all = found->second;
+    if (all.largest.nodes > 0) return all.largest;
+    Size largest;
+    for (const std::size_t index : all.nodes) {
+      const Size one = size(index, depth);
+      largest = {std::max(largest.nodes, one.nodes), std::max(largest.depth, one.depth)};
+    }
+    return all.largest = largest;
   }
 
   Size size(std::size_t index, int depth) {
     Node& node = nodes_[index];
     if (node.being_counted)
       throw Error(ErrorCode::invalid_mesh, file_, "a node stands for itself", "export the mesh again");
-    if (depth > max_depth || depth + node.size.depth > max_depth)
-      throw Error(ErrorCode::limit_exceeded, file_, "the nodes of the file are nested too deep",
-                  "export the mesh again");
     if (node.size.nodes > 0) return node.size;
     node.being_counted = true;
     Size total{1, 0};
@@ -118,19 +127,17 @@ class NodeCounter {
       total = {total.nodes + below.nodes, std::max(total.depth, below.depth + 1)};
       if (total.nodes > max_nodes) refuse_count();
     };
+    if (depth > max_depth) refuse_depth();
     for (const std::size_t child : node.children) add(size(child, depth + 1));
-    for (const std::string_view name : node.instances) {
-      Size largest;
-      for (const std::size_t other : meant_by(name)) {
-        const Size found = size(other, depth + 1);
-        largest = {std::max(largest.nodes, found.nodes), std::max(largest.depth, found.depth)};
-      }
-      add(largest);
-    }
+    for (const std::string_view name : node.instances) add(size_named(name, depth + 1));
+    if (total.depth > max_depth) refuse_depth();
     node.being_counted = false;
     return node.size = total;
   }
 
+  [[noreturn]] void refuse_depth() const {
+    throw Error(ErrorCode::limit_exceeded, file_, "the nodes of the file are nested too deep", "export the mesh again");
+  }
   [[noreturn]] void refuse_count() const {
     throw Error(
         ErrorCode::limit_exceeded, file_,
@@ -141,9 +148,10 @@ class NodeCounter {
   const std::string& file_;
   std::vector<Node> nodes_;
   std::vector<std::size_t> open_;  // nodes whose end is still to come
-  bool in_library_ = false;
+  bool in_library_ = false, has_instances_ = false;
+  bool has_references_ = false;  // &amp; or the like in a name
   std::map<std::string_view, std::size_t> library_;
-  std::multimap<std::string_view, std::size_t> by_name_;
+  std::map<std::string_view, Namesakes> by_name_;
 };
 
 }  // namespace

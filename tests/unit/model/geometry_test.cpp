@@ -349,6 +349,10 @@ TEST_CASE("nodes of a DAE that stand for others") {
                    ErrorCode::invalid_mesh, {"a.dae", "stands for itself"});
   check_mesh_error("a.dae", with_library(node("first", stand_for("l&#97;st")) + last), ErrorCode::invalid_mesh,
                    {"a.dae", "character reference"});
+  std::string text = dae("Z_UP");
+  text.replace(text.find("id=\"n\""), 6, "id=\"n\" name=\"nut &amp; bolt\"");
+  folder.write("a.dae", text);  // where no node stands for another, a name may hold what it likes
+  CHECK(load_hand_model(urdf).links[0].mesh.triangles.size() == 4);
 }
 
 TEST_CASE("glTF and DAE nested beyond any real file") {

@@ -117,11 +117,15 @@ int status_of(pid_t child) {
 
 constexpr const char* kDoNotTrust = "do not trust the file";
 
+Error too_long(const ChildLimits& limits, const std::string& file) {
+  return {ErrorCode::limit_exceeded, file, "cannot be read within " + std::to_string(limits.max_seconds) + " s",
+          std::string(kDoNotTrust) + ", or raise the bound by --max-read-seconds"};
+}
+
 Error too_much(const ChildLimits& limits, const std::string& file) {
   return {ErrorCode::limit_exceeded, file,
-          "cannot be read within " + std::to_string(limits.max_seconds) + " s and " +
-              std::to_string(limits.max_memory_bytes >> 20) + " MiB of memory",
-          std::string(kDoNotTrust) + ", or raise the bounds by --max-read-seconds and --max-read-bytes"};
+          "cannot be read within " + std::to_string(limits.max_memory_bytes) + " bytes of memory",
+          std::string(kDoNotTrust) + ", or raise the bound by --max-read-bytes"};
 }
 
 }  // namespace
@@ -135,7 +139,7 @@ struct ChildProcess::State {
   // Fills `bytes` with what the child answers next.
   void receive(std::span<std::byte> bytes, Clock::time_point deadline, const std::string& file) {
     const Reading reading = read_all(in.number(), deadline, bytes);
-    if (reading == Reading::too_long) throw too_much(limits, file);
+    if (reading == Reading::too_long) throw too_long(limits, file);
     if (reading == Reading::whole) return;
     const int status = status_of(std::exchange(process, -1));
     throw Error(blame, file,

@@ -11,8 +11,10 @@
 #include <array>
 #include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
+#include <exception>
 #include <map>
 #include <memory>
+#include <new>
 #include <sstream>
 #include <string_view>
 
@@ -182,6 +184,16 @@ class SceneFlattener {
   TriangleMesh mesh_;
 };
 
+// What fails for want of memory is no fault of the file, which assimp would blame.
+void rethrow_want_of_memory(const std::exception_ptr& exception) {
+  try {
+    std::rethrow_exception(exception);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (...) {
+  }
+}
+
 TriangleMesh read_with_assimp(const fs::path& path, const std::string& extension, std::unique_ptr<MeshFiles> files,
                               std::uint64_t max_triangles) {
   Assimp::Importer importer;
@@ -190,6 +202,7 @@ TriangleMesh read_with_assimp(const fs::path& path, const std::string& extension
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
   const aiScene* scene = importer.ReadFile(path.string(), aiProcess_Triangulate);
+  if (importer.GetException()) rethrow_want_of_memory(importer.GetException());
   if (scene == nullptr || scene->mRootNode == nullptr)
     throw Error(ErrorCode::invalid_mesh, path,
                 std::string("the mesh cannot be read (") + importer.GetErrorString() + ")", "export the mesh again");

@@ -23,6 +23,7 @@ uhas_test_packages=(
   liborocos-kdl-dev                                      # independent kinematics
   libnlopt-cxx-dev libnlopt-dev                          # independent optimiser
   python3 python3-numpy python3-h5py python3-jsonschema  # second reader of the profile, schema validator
+  locales                                                # a decimal comma
   nodejs chromium                                        # reports in a browser
   clang libclang-rt-14-dev                               # fuzz targets
 )

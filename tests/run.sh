@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs the packages that are missing, builds uhas with warnings as errors and runs every test; then the unit tests again
 # under AddressSanitizer with UndefinedBehaviorSanitizer, and under ThreadSanitizer, and each fuzz target for 30 seconds; then
-# runs the quick start, makes the Debian packages and uses them; then builds, installs and uses the runtime library alone.
+# runs the quick start, compares what its build makes with what the first one does, makes the Debian packages and uses them;
+# then builds, installs and uses the runtime library alone.
 # Ends with one line a suite and what was skipped, by name; exits with 0 when everything passed.
 #
 #   UHAS_HANDS_DIR   folder of real hands, one folder a hand with its truth.json. When it is not set, the tests on real hands
@@ -41,6 +42,8 @@ for preset in dev asan tsan fuzz; do
 done
 # the quick start builds `release`, from which the packages are made
 if examples/quickstart.sh; then
+  /usr/bin/python3 tests/determinism/same_bytes.py --bin build/dev/bin --bin build/release/bin --hand allegro_left \
+    --hand shadow_right || failed+=("the same bytes from two builds")
   packages=build/release/packages
   rm -rf "$packages"
   cpack --preset release && /usr/bin/python3 tests/install/check_packages.py "$packages" &&
@@ -64,4 +67,4 @@ if ((${#failed[@]})); then
   printf 'FAILED: %s\n' "${failed[@]}"
   exit 1
 fi
-echo "Everything passed: the tests, the quick start, the Debian packages, the runtime library alone."
+echo "Everything passed: the tests, the quick start, the same bytes, the Debian packages, the runtime library alone."

@@ -42,7 +42,7 @@ struct CascadeLanesOf {
     model.decoder.decode(numbers, cascade.planes.data());
     cascade.run(model);
     for (int i = 0; i < static_cast<int>(model.joints.size()); ++i) {
-      const Num q = cascade.q(i) * Num(model.joints[i].unit);
+      const Num q = model.joints[i].in_profile_units(cascade.q(i));
       for (int l = 0; l < rows.count; ++l) rows.q[l][i] = lane(q, l);
     }
   }

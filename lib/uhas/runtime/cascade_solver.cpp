@@ -52,7 +52,7 @@ Status CascadeSolver<Real>::solve(const Action<Real>& action, std::span<Real> q)
   Scratch& cascade = *scratch_;
   model_->decoder.decode(model_->decoder.numbers_of(action), cascade.planes.data());
   cascade.run(*model_);
-  for (std::size_t i = 0; i < q.size(); ++i) q[i] = cascade.q(static_cast<int>(i)) * model_->joints[i].unit;
+  for (std::size_t i = 0; i < q.size(); ++i) q[i] = model_->joints[i].in_profile_units(cascade.q(static_cast<int>(i)));
   return Status::ok;
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <span>
@@ -46,6 +47,9 @@ SolverJoint<Real> compile_joint(const HandProfile& profile, const SolveOptions& 
     return compiled.prismatic ? JointValue<Real>{Real(q / unit), 1, 0} : turn.cast<Real>();
   };
   compiled.unit = static_cast<Real>(unit);
+  constexpr double unbounded = std::numeric_limits<double>::infinity();
+  compiled.least = static_cast<Real>(joint.mimic_master < 0 ? joint.lower : -unbounded);
+  compiled.greatest = static_cast<Real>(joint.mimic_master < 0 ? joint.upper : unbounded);
   compiled.lower = value(joint.lower);
   compiled.upper = value(joint.upper);
   const bool from_open = options.rule == Rule::contact && traits.joint_class == JointClass::encompassing;

@@ -35,6 +35,7 @@ struct SolverJoint {
   int parent = -1;                      ///< -1 = S itself: roots have the palm folded in
   RigidTransform<Real> T_parent_joint;  ///< z is the axis
   Real unit{};                          ///< profile units of q per solver unit: r for a prismatic joint, else 1
+  Real least{}, greatest{};             ///< profile units: the limits; of a mimic follower infinite
   JointValue<Real> lower, upper;        ///< solver units, like every joint value below
   JointValue<Real> start;               ///< before the cascade: q_sphere, or open for what a contact is sought for
   RigidTransform<Real> decayed_T_parent_start;  ///< the joint's frame moved by `start`, times `decay_inward` of the first pass
@@ -55,6 +56,12 @@ struct SolverJoint {
     if (prismatic) return {q, Num(1), Num(0)};
     const SinCos<Num> turn = sincos(q);
     return {q, turn.cosine, turn.sine};
+  }
+
+  /// `q` in profile units: the product may round past a limit, the result is never beyond it.
+  template <class Num>
+  Num in_profile_units(Num q) const {
+    return clamp(q * Num(unit), Num(least), Num(greatest));
   }
 
   /// Frame F of the joint, moved by `value`: a turn about, or a shift along, its z.

@@ -6,6 +6,7 @@
 #include "support/mirrored_profile.hpp"
 #include "support/random_action.hpp"
 #include "support/small_profile.hpp"
+#include "uhas/runtime/batch_solver.hpp"
 #include "uhas/runtime/cascade_solver.hpp"
 #include "uhas/runtime/forward_kinematics.hpp"
 #include "uhas/runtime/lateral_lookup.hpp"
@@ -99,6 +100,33 @@ TEST_CASE("full contraction closes every encompassing joint and reports it") {
       if (closing == Closing::fade) CHECK(closed[joint] == 1);
     }
     if (closing == Closing::fade) CHECK(std::isnan(report.residual_rms));
+  }
+}
+
+TEST_CASE_TEMPLATE("a slide at a limit is not beyond it by a rounding error", Real, float, double) {
+  constexpr int slide = 4;
+  std::mt19937_64 random(3);
+  for (int n = 0; n < 200; ++n) {
+    HandProfile profile = test::small_profile();
+    Joint& joint = profile.tree.joints[slide];
+    REQUIRE(joint.kind == JointKind::prismatic);
+    joint.upper = profile.joint_traits[slide].q_closed = std::uniform_real_distribution<double>(0.015, 0.03)(random);
+    for (Real delta_r : {Real(-2), Real(2)}) {
+      const std::vector<Real> action(15, delta_r);
+      CascadeSolver<Real> solver(profile);
+      std::vector<Real> q(solver.joint_count());
+      const auto check = [&](Status status) {
+        REQUIRE(status == Status::ok);
+        CHECK(q[slide] >= Real(joint.lower));
+        CHECK(q[slide] <= Real(joint.upper));
+      };
+      check(solver.solve({.values = action}, q));
+      for (InstructionSet set : {InstructionSet::scalar, InstructionSet::baseline, InstructionSet::avx2}) {
+        if (!is_available(set)) continue;
+        BatchSolver<Real> batch(profile, {}, {.threads = 1, .instruction_set = set});
+        check(batch.solve({.count = 1, .values = action}, q));
+      }
+    }
   }
 }
 

@@ -147,7 +147,7 @@ class PlyReader {
     if (mesh_.triangles.size() >= max_triangles_)
       throw Error(ErrorCode::limit_exceeded, file_,
                   "the mesh has more triangles than the bound of " + std::to_string(max_triangles_) + " for a hand",
-                  "simplify it or raise the bound");
+                  "simplify it or raise it by --max-triangles");
     mesh_.triangles.push_back(triangle);
   }
 
@@ -168,9 +168,9 @@ class PlyReader {
       case Scalar::int32: return read_binary<std::int32_t>();
       case Scalar::uint32: return read_binary<std::uint32_t>();
       case Scalar::float32: return static_cast<double>(read_binary<float>());
-      case Scalar::float64: return read_binary<double>();
+      case Scalar::float64: break;
     }
-    fail("the PLY header names an unknown type");
+    return read_binary<double>();
   }
 
   double read_word() {

@@ -99,6 +99,7 @@ TEST_CASE("unusable values are refused by name") {
   CHECK(contains(refusal(R"({"middle_finger": 2})").message, "\"middle_finger\" names no joint"));
   CHECK(contains(refusal(R"({"joint_limits": {"j": [1]}})").message, "joint \"j\" has no limits"));
   CHECK(contains(refusal(R"({"joint_limits": {"j": [1, 1]}})").message, "the lower limit is not below the upper"));
+  CHECK(contains(refusal(R"({"q_open": {"j": 1e999}})").message, "a number is beyond the range of double; correct it"));
   CHECK(refusal(R"([])").code == ErrorCode::invalid_config);
   CHECK(refusal(R"({"format": "uhas-actions"})").code == ErrorCode::invalid_config);
   CHECK(refusal(R"({"version": 2})").code == ErrorCode::unsupported_version);

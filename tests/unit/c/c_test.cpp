@@ -295,6 +295,11 @@ TEST_CASE("a controller approaches solutions as C++ does") {
     in_cpp.approach(std::span(solutions).subspan(kJoints * n, kJoints), 0.01,
                     std::span(expected).subspan(kJoints * n, kJoints));
   CHECK(targets == expected);
+  const std::vector<float> solution_f(solutions.begin(), solutions.begin() + kJoints);
+  std::vector<float> target_f(kJoints), expected_f = target_f;
+  REQUIRE(uhas_controller_approach_f(controller.get, solution_f.data(), kJoints, 0.01f, target_f.data(), kJoints) == UHAS_OK);
+  SphereController<float>(test::small_profile()).approach(solution_f, 0.01f, expected_f);
+  CHECK(target_f == expected_f);
   CHECK(uhas_controller_approach(controller.get, solutions.data(), 5, 0.01, targets.data(), 10) == UHAS_WRONG_SIZE);
   CHECK(uhas_controller_approach(controller.get, solutions.data(), 10, -1, targets.data(), 10) == UHAS_INVALID_PERIOD);
   CHECK(targets == expected);

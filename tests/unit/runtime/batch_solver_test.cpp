@@ -305,6 +305,19 @@ TEST_CASE("what cannot be a batch is refused whole, and nothing is written") {
   CHECK(std::all_of(q.begin(), q.end(), [](double x) { return x == 77.0; }));
 }
 
+TEST_CASE("a batch solver tells how many hands it solves at once") {
+  const HandProfile profile = test::small_profile();
+  const auto lanes = [&](auto real, InstructionSet set) {
+    return BatchSolver<decltype(real)>(profile, {}, {.instruction_set = set}).lanes();
+  };
+  CHECK(lanes(0.0, InstructionSet::scalar) == 1);
+  for (const InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2}) {
+    if (!is_available(set)) continue;
+    CHECK(lanes(0.0, set) > 1);
+    CHECK(lanes(0.0f, set) == 2 * lanes(0.0, set));  // a register holds twice as many
+  }
+}
+
 TEST_CASE("a batch solver that cannot be made says why") {
   const HandProfile profile = test::small_profile();
   CHECK_THROWS_AS(BatchSolver<float>(std::span<const HandProfile>{}), Error);

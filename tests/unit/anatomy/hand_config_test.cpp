@@ -72,6 +72,10 @@ TEST_CASE("every key is read, and its canonical JSON reads the same") {
   CHECK(config.joint_limits.at("a").upper == 0.5);
   CHECK(to_canonical_json(config) == canonical);
   CHECK(to_canonical_json(parse_hand_config(canonical, "hand.json")) == canonical);
+  for (const char* handedness : {"right", "none"}) {
+    const std::string text = std::string(R"({"handedness":")") + handedness + "\"}";
+    CHECK(to_canonical_json(read(text)) == text);
+  }
 }
 
 TEST_CASE("an unknown key names the nearest known one") {

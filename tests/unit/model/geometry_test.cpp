@@ -268,6 +268,17 @@ TEST_CASE("glTF and DAE nested beyond any real file") {
   check_mesh_error("a.dae", dae("Z_UP", "1", nodes), ErrorCode::limit_exceeded, {"a.dae:1", "nested"});
 }
 
+TEST_CASE("a chain of glTF nodes beyond any real file") {
+  const auto chain_of = [](int nodes) {
+    std::string chain;
+    for (int i = 1; i < nodes; ++i) chain += (i > 1 ? ",{" : "") + ("\"children\":[" + std::to_string(i)) + "]}";
+    return glb(chain + R"(,{"name":"last")");
+  };
+  check_tetrahedron(palm_mesh("a.glb", chain_of(150)));
+  check_mesh_error("a.glb", chain_of(250), ErrorCode::invalid_mesh,
+                   {"a.glb: the nodes of the file are nested too deep"});
+}
+
 TEST_CASE("a PLY cut short or damaged at any byte gives a mesh or an error") {
   const std::string whole = binary_ply();
   int errors = 0;

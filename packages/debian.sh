@@ -30,6 +30,8 @@ uhas_test_packages=(
 # Debian's npm conflicts with packages of nodejs that bring an npm of their own.
 command -v npm > /dev/null || uhas_test_packages+=(npm)
 
+uhas_long_form_packages=(lcov valgrind)  # tests/coverage.sh, tests/cli/run_valgrind.sh
+
 # install_missing PACKAGE...: installs those that are not there and asks nothing; does not touch the network when all are.
 install_missing() {
   if ! command -v apt-get > /dev/null; then

@@ -19,14 +19,14 @@ HERE = pathlib.Path(__file__).resolve().parent
 HAND = HERE.parent.parent / "hands" / "allegro_right"
 
 
-def run_case(script, environment, profile):
+def run_case(script, environment, profile, timeout):
     """Exit code, stdout and stderr of a case, as the text of its three files."""
     with tempfile.TemporaryDirectory() as folder:
         os.symlink(HAND, os.path.join(folder, "hand"))
         os.mkdir(os.path.join(folder, "profile"))
         shutil.copy(profile, os.path.join(folder, "profile"))
         done = subprocess.run(["sh", str(script)], cwd=folder, env=environment, stdin=subprocess.DEVNULL,
-                              capture_output=True, text=True, timeout=120)
+                              capture_output=True, text=True, timeout=timeout)
     return {"exit": f"{done.returncode}\n", "stdout": done.stdout, "stderr": done.stderr}
 
 
@@ -64,6 +64,7 @@ def main():
     parser.add_argument("tool", help="folder of cases, for example uhas-solve")
     parser.add_argument("--bin", required=True, type=pathlib.Path, help="folder of the built tools")
     parser.add_argument("--refresh", action="store_true", help="write the expected files instead of comparing")
+    parser.add_argument("--timeout", type=float, default=120, help="seconds that a case may take")
     options = parser.parse_args()
 
     scripts = sorted((HERE / options.tool).glob("*.sh"))
@@ -73,7 +74,7 @@ def main():
         profile = os.path.join(folder, "allegro_right.h5")
         subprocess.run(["uhas-build-profile", "--quiet", HAND / "allegro_right.urdf", "-o", profile], env=environment, check=True)
         for script in scripts:
-            results = run_case(script, environment, profile)
+            results = run_case(script, environment, profile, options.timeout)
             if options.refresh:
                 refresh(script, results)
             else:

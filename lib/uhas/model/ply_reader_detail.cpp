@@ -167,9 +167,9 @@ class PlyReader {
       case Scalar::int32: return read_binary<std::int32_t>();
       case Scalar::uint32: return read_binary<std::uint32_t>();
       case Scalar::float32: return static_cast<double>(read_binary<float>());
-      case Scalar::float64: return read_binary<double>();
+      case Scalar::float64: break;
     }
-    fail("the PLY header names an unknown type");
+    return read_binary<double>();
   }
 
   double read_word() {

@@ -118,6 +118,60 @@ TEST_CASE("followers follow, and one master may drive every finger") {
   CHECK(open_value(anatomy, "index_1_joint") == doctest::Approx(0));
 }
 
+TEST_CASE("a master that stands outside the fingers is kept where it stands") {
+  constexpr double least_turn = 0.2;
+  HandModel hand = make_toy_hand({.wrist = true});
+  ToyModel stand("stand");  // beside the forearm, on a joint that moves no finger
+  Joint turn;
+  turn.axis = {0, 0, 1};
+  turn.lower = least_turn;
+  turn.upper = 0.5;
+  const int mount = stand.add_movable("mount", 0, {{}, {0.1, 0, 0}}, turn);
+  stand.add_movable("motor", mount, {{}, {0, 0.005, 0}}, turn);
+  const HandModel extra = stand.take();
+  const int joints = static_cast<int>(hand.tree.joints.size()), links = static_cast<int>(hand.links.size());
+  for (Joint joint : extra.tree.joints) {
+    if (joint.parent >= 0) joint.parent += joints;
+    hand.tree.joints.push_back(joint);
+  }
+  for (std::size_t i = 1; i < extra.links.size(); ++i) {
+    ModelLink link = extra.links[i];
+    link.parent_link = link.parent_link == 0 ? 0 : link.parent_link + links - 1;
+    link.joint += joints;
+    hand.links.push_back(link);
+  }
+  const int motor = joints + 1;
+  for (Joint& joint : hand.tree.joints)
+    if (joint.name == "index_3_joint") joint.mimic_master = motor;
+
+  const Anatomy anatomy = infer_anatomy(hand);
+  CHECK(anatomy.other_joints == std::vector<std::string>{"forearm_joint", "mount_joint"});
+  const Joint& kept = anatomy.tree.joints.back();
+  REQUIRE(kept.name == "motor_joint");
+  CHECK(kept.parent == -1);
+  // the root is 0.03 m above the palm when the wrist is at zero; the mount stands at its least turn
+  const Vector3d origin{0.1 - 0.005 * std::sin(least_turn), 0.005 * std::cos(least_turn), 0.03};
+  CHECK(norm(kept.T_parent_joint.translation - origin) < 1e-12);
+
+  const HandConfig config = parse_hand_config(R"({"thumb": "motor_joint"})", "hand.json");
+  CHECK_THROWS_WITH_AS(infer_anatomy(hand, config),
+                       "hand.json: thumb: \"motor_joint\" only drives joints of fingers; name a joint of a finger",
+                       Error);
+}
+
+TEST_CASE("a follower that no value of its master suits is named") {
+  ToyHandOptions options;
+  options.finger.followers = true;
+  HandModel model = make_toy_hand(options);
+  for (Joint& joint : model.tree.joints)
+    if (joint.name == "ring_2_joint") joint.mimic_offset = 5;
+  const Anatomy anatomy = infer_anatomy(model);
+  const std::string expected =
+      "joint 'ring_2_joint' leaves its limits wherever 'ring_1_joint', which it mimics, stands";
+  CHECK(std::count(anatomy.warnings.begin(), anatomy.warnings.end(), expected) == 1);
+  CHECK(infer_anatomy(make_toy_hand({.finger = {.followers = true}})).warnings.empty());
+}
+
 TEST_CASE("the fingertip is the far end of the surface when no frame stands there") {
   ToyHandOptions options;
   options.finger.tip_frame = false;
@@ -137,6 +191,22 @@ TEST_CASE("a cover on the last phalanx is no fingertip") {
   }
   const Anatomy anatomy = infer_anatomy(model);
   CHECK(anatomy.links[anatomy.fingers[anatomy.middle].tip_link].name == "middle_tip");
+}
+
+TEST_CASE("a last phalanx with neither frame nor surface is taken to be as long as the one before it") {
+  ToyHandOptions options;
+  options.finger.tip_frame = false;
+  options.finger.phalanges = {0.05, 0.03, 0.02};
+  HandModel model = make_toy_hand(options);
+  for (ModelLink& link : model.links)
+    if (link.name == "middle_3") link.mesh = {};
+  const Anatomy anatomy = infer_anatomy(model);
+  const FingerAnatomy& middle = anatomy.fingers[anatomy.middle];
+  CHECK(anatomy.links[middle.tip_link].name == "middle_3");
+  CHECK(norm(middle.p_tip_link - Vector3d{0, 0, 0.03}) < 1e-12);
+  CHECK(finding(anatomy, "fingertips").reason ==
+        "middle_3 has no geometry; a phalanx as long as the one before is assumed");
+  CHECK(warns_of(anatomy, "fingertips"));
 }
 
 TEST_CASE("a radial gripper closes around its axis and has no handedness") {

@@ -75,6 +75,38 @@ TEST_CASE("fingers on one palm-arch joint share it") {
   CHECK(found.chains[1][1] != found.chains[2][1]);
 }
 
+TEST_CASE("on a shared joint a shorter finger is a finger, a stub is none") {
+  ToyModel toy("arch");
+  const int palm = toy.add_fixed("palm", 0, kHere);
+  toy.add_finger(palm, finger_at("a", 0.06));
+  const int arch = toy.add_movable("arch", palm, {{}, {0, 0.01, 0.02}}, hinge({0, 0, 1}));
+  toy.add_finger(arch, finger_at("b", 0.0));
+  ToyFinger shorter = finger_at("c", -0.03), stub = finger_at("d", -0.06);
+  shorter.phalanges = {0.04, 0.02, 0.02};
+  stub.phalanges = {0.02};
+  toy.add_finger(arch, shorter);
+  toy.add_finger(arch, stub);
+  const HandModel model = toy.take();
+  const FingerChains found = find_finger_chains(model);
+  std::vector<std::string> second;
+  for (const std::vector<int>& chain : found.chains) second.push_back(model.tree.joints[chain[1]].name);
+  CHECK(second == std::vector<std::string>{"a_1_joint", "b_side_joint", "c_side_joint"});
+}
+
+TEST_CASE("of the links that make up a palm, the one with most fingers is named, then the one with the larger mesh") {
+  for (const bool third_finger : {false, true}) {
+    ToyModel toy("plates");
+    const int small = toy.add_fixed("small", 0, kHere), large = toy.add_fixed("large", 0, kHere);
+    toy.add_box(small, {}, {0.01, 0.01, 0.01});
+    for (const double z : {0.0, 0.01}) toy.add_box(large, {0, 0, z}, {0.01, 0.01, 0.01});
+    toy.add_finger(small, finger_at("a", 0.06));
+    toy.add_finger(large, finger_at("b", 0.0));
+    if (third_finger) toy.add_finger(small, finger_at("c", -0.06));
+    const HandModel model = toy.take();
+    CHECK(model.links[find_finger_chains(model).palm_link].name == (third_finger ? "small" : "large"));
+  }
+}
+
 TEST_CASE("a linkage that only follows is no finger") {
   ToyModel toy("linkage");
   const int palm = toy.add_fixed("palm", 0, kHere);

@@ -72,6 +72,10 @@ TEST_CASE("every key is read, and its canonical JSON reads the same") {
   CHECK(config.joint_limits.at("a").upper == 0.5);
   CHECK(to_canonical_json(config) == canonical);
   CHECK(to_canonical_json(parse_hand_config(canonical, "hand.json")) == canonical);
+  for (const char* handedness : {"right", "none"}) {
+    const std::string text = std::string(R"({"handedness":")") + handedness + "\"}";
+    CHECK(to_canonical_json(read(text)) == text);
+  }
 }
 
 TEST_CASE("an unknown key names the nearest known one") {
@@ -99,6 +103,7 @@ TEST_CASE("unusable values are refused by name") {
   CHECK(contains(refusal(R"({"middle_finger": 2})").message, "\"middle_finger\" names no joint"));
   CHECK(contains(refusal(R"({"joint_limits": {"j": [1]}})").message, "joint \"j\" has no limits"));
   CHECK(contains(refusal(R"({"joint_limits": {"j": [1, 1]}})").message, "the lower limit is not below the upper"));
+  CHECK(contains(refusal(R"({"q_open": {"j": 1e999}})").message, "a number is beyond the range of double; correct it"));
   CHECK(refusal(R"([])").code == ErrorCode::invalid_config);
   CHECK(refusal(R"({"format": "uhas-actions"})").code == ErrorCode::invalid_config);
   CHECK(refusal(R"({"version": 2})").code == ErrorCode::unsupported_version);

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -110,6 +111,22 @@ TEST_CASE("a hang is ended") {
         {.max_seconds = 1});
   });
   CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(20));
+}
+
+TEST_CASE("a result larger than the bound on memory is refused") {
+  Bytes large(8u << 20);
+  check_error(ErrorCode::limit_exceeded, "some.file: cannot be read within 60 s and 4 MiB of memory",
+              [&] { run([&] { return std::move(large); }, {.max_memory_bytes = 4u << 20}); });
+}
+
+TEST_CASE("a process that may open no more files says so") {
+  rlimit before{};
+  ::getrlimit(RLIMIT_NOFILE, &before);
+  const rlimit none{0, before.rlim_max};
+  ::setrlimit(RLIMIT_NOFILE, &none);
+  check_error(ErrorCode::file_unreadable, "some.file: no pipe can be made: Too many open files; close some files",
+              [] { run([] { return Bytes{}; }); });
+  ::setrlimit(RLIMIT_NOFILE, &before);
 }
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // whose malloc ends the process instead

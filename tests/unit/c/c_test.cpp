@@ -5,6 +5,7 @@
 #include <cstring>
 #include <limits>
 
+#include "support/address_space_limit.hpp"
 #include "support/arch_profile.hpp"
 #include "support/random_action.hpp"
 #include "support/scratch_folder.hpp"
@@ -295,10 +296,31 @@ TEST_CASE("a controller approaches solutions as C++ does") {
     in_cpp.approach(std::span(solutions).subspan(kJoints * n, kJoints), 0.01,
                     std::span(expected).subspan(kJoints * n, kJoints));
   CHECK(targets == expected);
+  const std::vector<float> solution_f(solutions.begin(), solutions.begin() + kJoints);
+  std::vector<float> target_f(kJoints), expected_f = target_f;
+  REQUIRE(uhas_controller_approach_f(controller.get, solution_f.data(), kJoints, 0.01f, target_f.data(), kJoints) == UHAS_OK);
+  SphereController<float>(test::small_profile()).approach(solution_f, 0.01f, expected_f);
+  CHECK(target_f == expected_f);
   CHECK(uhas_controller_approach(controller.get, solutions.data(), 5, 0.01, targets.data(), 10) == UHAS_WRONG_SIZE);
   CHECK(uhas_controller_approach(controller.get, solutions.data(), 10, -1, targets.data(), 10) == UHAS_INVALID_PERIOD);
   CHECK(targets == expected);
 }
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+TEST_CASE("what the system refuses is an error with the words of the system") {
+  const uhas_profile* profile = small_handle();
+  uhas_batch_options options = UHAS_BATCH_OPTIONS_INIT;
+  options.threads = 256;
+  uhas_batch* batch = nullptr;
+  char message[128] = "";
+  {
+    const test::AddressSpaceLimit room_for_few_stacks(6u << 20);
+    CHECK(uhas_batch_create(&profile, 1, nullptr, &options, &batch, message, sizeof message) == UHAS_ERROR_INTERNAL);
+  }
+  CHECK(batch == nullptr);
+  CHECK(std::string(message) == "Resource temporarily unavailable");
+}
+#endif
 
 TEST_CASE("batches are those of C++, mixed sets of hands and bad rows too") {
   const std::vector<HandProfile> hands{test::small_profile(), test::arch_profile()};

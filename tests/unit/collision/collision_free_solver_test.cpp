@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <utility>
 
 #include "support/mesh_contact.hpp"
 #include "support/random_action.hpp"
@@ -114,9 +115,9 @@ TEST_CASE("what collides is scaled back to where it is about to, what is free is
   CHECK(taken_back > 5);
 }
 
-TEST_CASE("the report is of the solution") {
+TEST_CASE("the report is of the solution, of a solver that was moved too") {
   const Hand& hand = toy();
-  CollisionFreeSolver solver(hand.profile, {}, hand.collision);
+  CollisionFreeSolver made(hand.profile, {}, hand.collision), solver(std::move(made));
   CascadeSolver<double> plain(hand.profile);
   std::mt19937_64 random(2);
   std::vector<double> q(plain.joint_count()), again(plain.joint_count());

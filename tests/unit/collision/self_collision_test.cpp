@@ -85,10 +85,12 @@ TEST_CASE("a contact that the sample has missed is seen") {
   CHECK(nearest.second == 1);
 }
 
-TEST_CASE("all pairs in contact are named") {
-  SlidingBoxes hand;
+TEST_CASE("all pairs in contact are named, by one that was assigned too") {
+  SlidingBoxes hand, other;
   for (int i = 0; i < 4; ++i) hand.add(kCube, 0.1 * i);
-  const SelfCollision collision(hand.profile, hand.geometry);
+  for (int i = 0; i < 2; ++i) other.add(kCube, 0.1 * i);
+  SelfCollision collision(other.profile, other.geometry);
+  collision = SelfCollision(hand.profile, hand.geometry);
   REQUIRE(collision.pairs().size() == 6);  // 01 02 03 12 13 23
   CHECK(collision.colliding_pairs(std::vector<double>{0, 0.1, 0.2, 0.3}).empty());
   CHECK(collision.colliding_pairs(std::vector<double>{0, 0.015, 0.03, 0.3}) == std::vector<int>{0, 3});

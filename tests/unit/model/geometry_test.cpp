@@ -386,6 +386,17 @@ TEST_CASE("a mesh that brings assimp down is an error where a child process read
   check_error([&] { load_hand_model(urdf, options); }, ErrorCode::invalid_mesh, {"a.dae: ", "was brought down"});
 }
 
+TEST_CASE("a chain of glTF nodes beyond any real file") {
+  const auto chain_of = [](int nodes) {
+    std::string chain;
+    for (int i = 1; i < nodes; ++i) chain += (i > 1 ? ",{" : "") + ("\"children\":[" + std::to_string(i)) + "]}";
+    return glb(chain + R"(,{"name":"last")");
+  };
+  check_tetrahedron(palm_mesh("a.glb", chain_of(150)));
+  check_mesh_error("a.glb", chain_of(250), ErrorCode::invalid_mesh,
+                   {"a.glb: the nodes of the file are nested too deep"});
+}
+
 TEST_CASE("a PLY cut short or damaged at any byte gives a mesh or an error") {
   const std::string whole = binary_ply();
   int errors = 0;

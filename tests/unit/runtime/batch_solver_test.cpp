@@ -7,8 +7,11 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <system_error>
+#include <utility>
 #include <vector>
 
+#include "support/address_space_limit.hpp"
 #include "support/arch_profile.hpp"
 #include "support/mirrored_profile.hpp"
 #include "support/random_action.hpp"
@@ -305,10 +308,47 @@ TEST_CASE("what cannot be a batch is refused whole, and nothing is written") {
   CHECK(std::all_of(q.begin(), q.end(), [](double x) { return x == 77.0; }));
 }
 
+TEST_CASE("a batch solver tells how many hands it solves at once") {
+  const HandProfile profile = test::small_profile();
+  const auto lanes = [&](auto real, InstructionSet set) {
+    return BatchSolver<decltype(real)>(profile, {}, {.instruction_set = set}).lanes();
+  };
+  CHECK(lanes(0.0, InstructionSet::scalar) == 1);
+  for (const InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2}) {
+    if (!is_available(set)) continue;
+    CHECK(lanes(0.0, set) > 1);
+    CHECK(lanes(0.0f, set) == 2 * lanes(0.0, set));  // a register holds twice as many
+  }
+}
+
+TEST_CASE("a batch solver may be moved") {
+  const HandProfile profile = test::small_profile();
+  BatchSolver<double> made(profile), moved(std::move(made)), assigned(test::arch_profile());
+  const std::vector<double> actions(2 * 15, 0.1);
+  std::vector<double> q(2 * 5), expected = q;
+  REQUIRE(moved.solve({.count = 2, .values = actions}, expected) == Status::ok);
+  assigned = std::move(moved);
+  REQUIRE(assigned.solve({.count = 2, .values = actions}, q) == Status::ok);
+  CHECK(q == expected);
+}
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+TEST_CASE("threads that cannot be started are an error, and those that were are ended") {
+  const HandProfile profile = test::small_profile();
+  {
+    const test::AddressSpaceLimit room_for_few_stacks(6u << 20);
+    CHECK_THROWS_AS(BatchSolver<double>(profile, {}, {.threads = 256}), std::system_error);
+  }
+  CHECK_NOTHROW(BatchSolver<double>(profile, {}, {.threads = 2}));
+}
+#endif
+
 TEST_CASE("a batch solver that cannot be made says why") {
   const HandProfile profile = test::small_profile();
   CHECK_THROWS_AS(BatchSolver<float>(std::span<const HandProfile>{}), Error);
   CHECK_THROWS_AS(BatchSolver<float>(profile, {}, {.threads = 0}), Error);
   CHECK_THROWS_AS(BatchSolver<float>(profile, {}, {.threads = 257}), Error);
+  CHECK_THROWS_WITH_AS(BatchSolver<float>(profile, {}, {.instruction_set = static_cast<InstructionSet>(1000)}),
+                       "this machine or build has no unknown; leave the choice to the library", Error);
   CHECK_THROWS_AS(BatchSolver<float>(profile, {.passes = 0}), Error);
 }

@@ -1,8 +1,11 @@
 // The solver on the small profile: coupled joints, a sliding joint, a left hand, shared slots.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "support/arch_profile.hpp"
 #include "support/mirrored_profile.hpp"
 #include "support/random_action.hpp"
 #include "support/small_profile.hpp"
@@ -153,6 +156,37 @@ TEST_CASE("a mirror image of a left hand solves like the right hand") {
       for (std::size_t i = 0; i < a.size(); ++i) CHECK(a[i] == doctest::Approx(b[i]).epsilon(1e-9));
     }
   }
+}
+
+TEST_CASE("a copy solves like its original, however it is made") {
+  const HandProfile profile = test::small_profile();
+  const std::vector<double> action = uniform_action(0.1), expected = solve(profile, action, {.passes = 3});
+  const auto check = [&](CascadeSolver<double>& solver) {
+    std::vector<double> q(solver.joint_count());
+    REQUIRE(solver.solve({.values = action}, q) == Status::ok);
+    CHECK(q == expected);
+  };
+  CascadeSolver<double> original(profile, {.passes = 3}), copy(original), assigned(test::arch_profile());
+  assigned = original;
+  check(copy);
+  check(assigned);
+  CascadeSolver<double> moved(std::move(copy));
+  check(moved);
+  copy = std::move(assigned);  // a solver that was moved from may be given another
+  check(copy);
+  check(original);
+}
+
+TEST_CASE("a report whose spans do not fit is refused, and nothing is written") {
+  CascadeSolver<double> solver(test::small_profile());
+  const std::vector<double> action = uniform_action(0.1);
+  std::vector<double> q(solver.joint_count(), 77.0);
+  std::vector<std::uint8_t> flags(q.size() - 1, 77);
+  SolveReport at_limit{.at_limit = flags, .closed = {}}, closed{.at_limit = {}, .closed = flags};
+  CHECK(solver.solve({.values = action}, q, at_limit) == Status::wrong_size);
+  CHECK(solver.solve({.values = action}, q, closed) == Status::wrong_size);
+  CHECK(std::ranges::count(q, 77.0) == static_cast<std::ptrdiff_t>(q.size()));
+  CHECK(std::ranges::count(flags, 77) == static_cast<std::ptrdiff_t>(flags.size()));
 }
 
 TEST_CASE("options out of range are refused") {

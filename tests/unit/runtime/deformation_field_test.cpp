@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "support/small_profile.hpp"
@@ -109,6 +110,17 @@ TEST_CASE("planes closer than five degrees are one, with the mean of their displ
   const HandProfile apart = hand_with_planes({177 * kDegree, 60 * kDegree, 0, -60 * kDegree, -177 * kDegree});
   CHECK(moved(apart, action, 177 * kDegree, phi).radius == Approx(1 + 0.8));
   CHECK(moved(apart, action, -177 * kDegree, phi).radius == Approx(1));
+}
+
+TEST_CASE("a field may be moved") {
+  const std::vector<double> action = radial_action(2, 0, 0.25);
+  const Spherical<double> expected = moved(kSpread, action, 0, 60 * kDegree);
+  DeformationField made(kSpread), taken(std::move(made)), assigned(test::small_profile());
+  assigned = std::move(taken);
+  Spherical<double> point{0, 60 * kDegree, 1};
+  CHECK(assigned.deform({.values = action}, {&point, 1}) == Status::ok);
+  CHECK(point.radius == expected.radius);
+  CHECK(point.radius == Approx(1.25));
 }
 
 TEST_CASE("an action that the solver would refuse leaves the points as they are") {

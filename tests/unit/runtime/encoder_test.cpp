@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "support/arch_profile.hpp"
 #include "support/random_action.hpp"
@@ -183,7 +184,9 @@ TEST_CASE("a batch is what its postures are one by one, and a copy encodes like 
   }
   std::vector<EncodeReport> reports(count);
   REQUIRE(encoder.encode_batch(q, actions, reports) == Status::ok);
-  Encoder<double> copy = encoder;
+  Encoder<double> original = encoder, copy(test::arch_profile()), moved(test::arch_profile());
+  moved = Encoder<double>(std::move(original));
+  copy = moved;
   for (std::size_t n = 0; n < count; ++n) {
     EncodeReport report;
     REQUIRE(copy.encode(std::span(q).subspan(5 * n, 5), action, report) == Status::ok);

@@ -160,6 +160,7 @@ TEST_CASE("the environment holds the instruction set down") {
   }
   setenv("UHAS_INSTRUCTION_SET", "no such thing", 1);
   CHECK(is_available(widest_instruction_set()));
+  CHECK(std::string(to_string(InstructionSet::avx2)) == "avx2");
   CHECK(widest_instruction_set() != InstructionSet::scalar);
   before ? setenv("UHAS_INSTRUCTION_SET", kept.c_str(), 1) : unsetenv("UHAS_INSTRUCTION_SET");
 }

@@ -71,6 +71,39 @@ TEST_CASE("the fingertip in S stands at its open azimuth, one radius above the p
   }
 }
 
+TEST_CASE("without thumb and middle finger, x points along the fingers against the one that stands most apart") {
+  // in degrees of azimuth; the gaps on both sides of each add up to 210, 190 and 320
+  const double azimuths[] = {0, 40, 190}, forward = 20 * std::numbers::pi / 180;
+  ToyModel toy("claw");
+  for (const double degrees : azimuths) {
+    const double azimuth = degrees * std::numbers::pi / 180;
+    ToyFinger finger{
+        .name = "finger" + std::to_string(static_cast<int>(degrees)), .closing = {0, 0, 1}, .side_range = 0};
+    finger.direction = {std::cos(azimuth), std::sin(azimuth), 0};
+    finger.root = 0.03 * finger.direction;
+    toy.add_finger(0, finger);
+  }
+  const HandConfig config =
+      parse_hand_config(R"({"thumb": null, "middle_finger": null, "handedness": "none"})", "claw.json");
+  const SphereFrame frame = compute_sphere_frame(infer_anatomy(toy.take(), config));
+  CHECK(norm(frame.T_palm_sphere.rotation.column(2) - Vector3d{0, 0, 1}) < 1e-3);
+  CHECK(norm(frame.T_palm_sphere.rotation.column(0) - Vector3d{std::cos(forward), std::sin(forward), 0}) < 1e-3);
+  CHECK(frame.slots[2][4]);
+}
+
+TEST_CASE("a hand whose open fingertips meet in the palm centre has no sphere") {
+  Anatomy anatomy = infer_anatomy(make_toy_parallel_gripper());
+  const Vector3d center = compute_sphere_frame(anatomy).palm_center_palm;
+  for (FingerAnatomy& finger : anatomy.fingers) {  // the jaws only slide, along y
+    const Joint& slide = anatomy.tree.joints[finger.joints.back()];
+    const double q = anatomy.q_open[finger.joints.back()];
+    finger.p_tip_link = anatomy.links[finger.tip_link].T_joint_link.inverse() *
+                        (center - slide.T_parent_joint.translation - q * slide.axis);
+  }
+  CHECK_THROWS_WITH_AS(compute_sphere_frame(anatomy),
+                       "the open fingertips all lie in the palm centre; check the joint origins of the model", Error);
+}
+
 TEST_CASE("hands that the action space has no planes for are refused") {
   CHECK_THROWS_WITH_AS(compute_sphere_frame(infer_anatomy(make_toy_gripper(6))), doctest::Contains("6 fingers"), Error);
 }

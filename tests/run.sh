@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Installs the packages that are missing, builds uhas with warnings as errors and runs every test; then the unit tests again
-# under AddressSanitizer with UndefinedBehaviorSanitizer, and under ThreadSanitizer, and each fuzz target for 30 seconds; then
-# runs the quick start, compares what its build makes with what the first one does, makes the Debian packages and uses them;
-# then builds, installs and uses the runtime library alone.
+# under AddressSanitizer with UndefinedBehaviorSanitizer, each fuzz target for 30 seconds, and the runtime library's tests under
+# ThreadSanitizer; then runs the quick start, compares what its build makes with what the first one does, makes the Debian
+# packages and uses them; then builds, installs and uses the runtime library alone.
 # Ends with one line a suite and what was skipped, by name; exits with 0 when everything passed.
 #
 #   UHAS_HANDS_DIR   folder of real hands, one folder a hand with its truth.json. When it is not set, the tests on real hands
@@ -36,7 +36,7 @@ run_tests() { # PRESET
     --output-junit results.xml || failed+=("tests of $1")
 }
 
-for preset in dev asan tsan fuzz; do
+for preset in dev fuzz tsan; do
   rm -f "build/$preset/results.xml"
   if build "$preset"; then run_tests "$preset"; fi
 done
@@ -58,7 +58,7 @@ if build runtime-only; then
     failed+=("the runtime library, installed alone")
 fi
 
-for preset in dev asan tsan fuzz; do
+for preset in dev fuzz tsan; do
   [[ -e build/$preset/results.xml ]] || continue
   echo "== $preset"
   /usr/bin/python3 tests/support/summary.py "build/$preset" "build/$preset/results.xml" || failed+=("summary of $preset")

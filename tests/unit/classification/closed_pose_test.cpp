@@ -20,7 +20,8 @@ std::vector<double> closed_pose(const SphereHand& hand, const std::map<std::stri
 
 TEST_CASE("a finger closes toward the sphere's centre, whichever way its axes point and whichever range is larger") {
   for (const double sign : {1.0, -1.0}) {
-    for (const auto& [back, closing] : {std::pair(1.5, 1.5), std::pair(1.7, 0.4), std::pair(0.1, 1.6)}) {
+    for (const auto& ranges : {std::pair(1.5, 1.5), std::pair(1.7, 0.4), std::pair(0.1, 1.6)}) {
+      const double back = ranges.first, closing = ranges.second;
       SphereHand hand;
       add_planar_finger(hand, {.back = back, .closing = closing, .sign = sign});
       CAPTURE(sign);

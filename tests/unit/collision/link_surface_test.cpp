@@ -51,11 +51,11 @@ TEST_CASE("two boxes: faces, edges, corners, touching and crossing") {
                      {{0.0625 + 0.002, -0.0625 - 0.003, 0.0625 + 0.006}, 0.007, false},
                      {{0.0625, 0, 0}, 0, true},  // exact in binary
                      {{0.05, 0.01, 0.02}, 0, true}};
-  for (const auto& [offset, expected, in_contact] : cases) {
-    CAPTURE(offset.x);
-    CHECK(std::abs(box.distance(box, {{}, offset}, kNoLimit) - expected) < kPrecision);
-    CHECK(box.in_contact(box, {{}, offset}) == in_contact);
-    CHECK(box.least_possible_distance(box, {{}, offset}) <= expected + kPrecision);
+  for (const auto& c : cases) {
+    CAPTURE(c.offset.x);
+    CHECK(std::abs(box.distance(box, {{}, c.offset}, kNoLimit) - c.distance) < kPrecision);
+    CHECK(box.in_contact(box, {{}, c.offset}) == c.in_contact);
+    CHECK(box.least_possible_distance(box, {{}, c.offset}) <= c.distance + kPrecision);
   }
 }
 

@@ -253,10 +253,11 @@ TEST_CASE("few triangles and very many vertices") {
   for (int i = 0; i < 9; ++i) points += "p 1 2 3 4\n";
   const std::vector<std::pair<std::string, std::string>> meshes{
       {"a.ply", header + std::string("0 0 0 0 0 0 0 0 0 0 0 0 0 ") + "3 0 1 2\n"}, {"a.obj", obj(points)}};
-  for (const auto& [name, content] : meshes) {
+  for (const auto& file : meshes) {
+    const std::string& name = file.first;
     CAPTURE(name);
     const ScratchFolder folder;
-    folder.write(name, content);
+    folder.write(name, file.second);
     const std::string urdf = folder.write("hand.urdf", one_finger(visual(mesh(name))));
     LoadOptions options;
     options.max_triangles = 4;

@@ -129,7 +129,7 @@ TEST_CASE("a process that may open no more files says so") {
   ::setrlimit(RLIMIT_NOFILE, &before);
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // whose malloc ends the process instead
+#ifndef UHAS_SANITIZED  // whose malloc ends the process instead
 TEST_CASE("boundless memory is refused") {
   check_error(ErrorCode::limit_exceeded,
               "some.file: cannot be read within 67108864 bytes of memory; do not trust the file, or raise the bound by "

@@ -306,7 +306,7 @@ TEST_CASE("a controller approaches solutions as C++ does") {
   CHECK(targets == expected);
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#ifndef UHAS_SANITIZED
 TEST_CASE("what the system refuses is an error with the words of the system") {
   const uhas_profile* profile = small_handle();
   uhas_batch_options options = UHAS_BATCH_OPTIONS_INIT;

@@ -23,7 +23,7 @@
 #include "uhas/runtime/sphere_controller.hpp"
 
 // the sanitizers bring a malloc of their own
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#ifndef UHAS_SANITIZED
 
 namespace {
 

@@ -332,7 +332,7 @@ TEST_CASE("a batch solver may be moved") {
   CHECK(q == expected);
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#ifndef UHAS_SANITIZED
 TEST_CASE("threads that cannot be started are an error, and those that were are ended") {
   const HandProfile profile = test::small_profile();
   {

@@ -59,6 +59,17 @@ def ply_of_vertices(count):
             "end_header\n" % count + "0\n" * count + "3 0 1 2\n")
 
 
+def dae(indices="0 1 2", stride=3):
+    """One triangle."""
+    return ('<COLLADA version="1.4.1"><library_geometries><geometry id="g"><mesh><source id="p"><float_array id="a" count="9">'
+            f'0 0 0 1 0 0 0 1 0</float_array><technique_common><accessor source="#a" count="3" stride="{stride}">'
+            '<param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/></accessor>'
+            '</technique_common></source><vertices id="v"><input semantic="POSITION" source="#p"/></vertices>'
+            f'<triangles count="1"><input semantic="VERTEX" source="#v" offset="0"/><p>{indices}</p></triangles></mesh></geometry>'
+            '</library_geometries><library_visual_scenes><visual_scene id="s"><node id="n"><instance_geometry url="#g"/></node>'
+            '</visual_scene></library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>')
+
+
 def crashing_trajectory():
     """A trajectory whose first name is number 2^32 - 1 of the names that the file holds, which HDF5 1.10.8 does not check."""
     with h5py.File("t.h5", "w") as file:
@@ -183,6 +194,10 @@ CASES = [
      "palm.stl: the mesh has no triangle; export the mesh again"),
     ("a corrupt mesh", BUILD, {"hand.urdf": urdf_with_mesh("palm.dae"), "palm.dae": "<COLLADA><asset>"},
      "palm.dae: the mesh cannot be read (Unable to read file, malformed XML); export the mesh again"),
+    ("a mesh whose indices are no numbers", BUILD, {"hand.urdf": urdf_with_mesh("palm.dae"), "palm.dae": dae(indices="0 1 z")},
+     "palm.dae:1: a list of indices holds something else; export the mesh again"),
+    ("a mesh that brings assimp down", BUILD, {"hand.urdf": urdf_with_mesh("palm.dae"), "palm.dae": dae(stride=900000000)},
+     "palm.dae: the process that read it was brought down (Segmentation fault); do not trust the file"),
     ("a mesh of another format", BUILD, {"hand.urdf": urdf_with_mesh("palm.fbx"), "palm.fbx": "x"},
      "palm.fbx: meshes of the type '.fbx' cannot be read; convert it to STL, OBJ, DAE, PLY, GLB or glTF"),
     ("a mesh that claims 100 million triangles", BUILD, {"hand.urdf": urdf_with_mesh("palm.stl"), "palm.stl": lying_stl()},

@@ -18,7 +18,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 mkdir "$scratch/bin" "$scratch/logs"
 # In place of every tool, whichever a case calls and in whatever pipe. Errors go to files: a case compares stdout, stderr and exit
-# code. The child process of --untrusted may write no file: its exit code tells of its errors, and its parent fails by it.
+# code. The child processes that read files may write none: their exit codes tell of their errors, and their parents fail by them.
 for tool in "$PWD"/build/dev/bin/uhas-*; do
   name=${tool##*/}
   cat > "$scratch/bin/$name" << END

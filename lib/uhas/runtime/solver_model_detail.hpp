@@ -58,10 +58,11 @@ struct SolverJoint {
     return {q, turn.cosine, turn.sine};
   }
 
-  /// `q` in profile units: the product may round past a limit, the result is never beyond it.
+  /// `q` in profile units, which for a turn are those of the solver: the product may round past a limit, the result is never
+  /// beyond it.
   template <class Num>
   Num in_profile_units(Num q) const {
-    return clamp(q * Num(unit), Num(least), Num(greatest));
+    return prismatic ? clamp(q * Num(unit), Num(least), Num(greatest)) : q;
   }
 
   /// Frame F of the joint, moved by `value`: a turn about, or a shift along, its z.

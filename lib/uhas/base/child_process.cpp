@@ -26,7 +26,7 @@ using detail::errno_text;
 using detail::FileDescriptor;
 using Clock = std::chrono::steady_clock;
 
-// The child answers once a file, until it fails: a head, then the bytes of the result, or the number of an ErrorCode
+// The child answers once a piece of work, until it fails: a head, then the bytes of the result, or the number of an ErrorCode
 // and what() says.
 enum class Answer : std::uint64_t { result, error };
 
@@ -71,7 +71,7 @@ void answer_error(int file, ErrorCode code, const std::string& text) {
   answer(file, Answer::error, bytes);
 }
 
-[[noreturn]] void be_the_child(const ChildLimits& limits, ErrorCode blame, int out, std::size_t files,
+[[noreturn]] void be_the_child(const ChildLimits& limits, ErrorCode blame, int out, std::size_t count,
                                const std::function<std::vector<std::byte>(std::size_t)>& work) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // an interrupted tool leaves no child behind
   // a crash is ours to tell of, not for handlers of the program
@@ -80,7 +80,7 @@ void answer_error(int file, ErrorCode code, const std::string& text) {
   bound(RLIMIT_CORE, 0);
   bound(RLIMIT_FSIZE, 0);
   try {
-    for (std::size_t i = 0; i < files; ++i) answer(out, Answer::result, work(i));
+    for (std::size_t i = 0; i < count; ++i) answer(out, Answer::result, work(i));
   } catch (const Error& error) {
     answer_error(out, error.code(), error.what());
   } catch (const std::bad_alloc&) {

@@ -1,6 +1,7 @@
 #include "uhas/profile_io/read_profile.hpp"
 
 #include "uhas/base/file_bytes.hpp"
+#include "uhas/profile_io/flat_profile.hpp"
 #include "uhas/profile_io/profile_image_detail.hpp"
 #include "uhas/profile_io/user_block_detail.hpp"
 
@@ -13,9 +14,8 @@ HandProfile read_profile(const std::string& path) {
 }
 
 HandProfile read_untrusted_profile(const std::string& path, const ChildLimits& limits) {
-  const std::vector<std::byte> image = in_child(limits, ErrorCode::invalid_profile, path,
-                                                [&] { return detail::image_of_profile(read_profile(path), path); });
-  return detail::profile_of_image(image, detail::check_user_block(image, path), path);
+  return unflatten_profile(
+      in_child(limits, ErrorCode::invalid_profile, path, [&] { return flatten_profile(read_profile(path)); }));
 }
 
 }  // namespace uhas

@@ -21,7 +21,7 @@ namespace uhas {
 HandProfile read_profile(const std::string& path);
 
 /// The same for a profile from a stranger: the file is read in a child process under `limits` (see `in_child`), which
-/// hands over the validated profile as a file of its own making, so that this process sees no byte of the stranger's.
+/// hands over the validated profile, flat, so that HDF5 sees no byte of the stranger's in this process.
 /// Throws what `read_profile` throws: invalid_profile also when the child was brought down, limit_exceeded when it took
 /// too long or too much memory. Call it while no other thread reads or writes a profile.
 HandProfile read_untrusted_profile(const std::string& path, const ChildLimits& limits = {});

@@ -1,4 +1,4 @@
-# Sources that instantiate a kernel over plain numbers or over Lanes (lib/uhas/runtime/lanes_detail.hpp).
+# Sources that instantiate a kernel over plain numbers or over Lanes (lib/uhas/runtime/lanes/lanes.hpp).
 include(CheckCXXCompilerFlag)
 check_cxx_compiler_flag("-mavx2 -mfma" UHAS_COMPILER_HAS_AVX2)
 if(UHAS_COMPILER_HAS_AVX2 AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")

@@ -14,7 +14,7 @@ set(CMAKE_INSTALL_RPATH $ORIGIN $ORIGIN/${libraries_from_tools})
 # dev, what compiling against the libraries needs; tools, the rest.
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME tools)
 
-# uhas_install_library(<library> <room>...): the library uhas_<library> and the public headers of its rooms.
+# uhas_install_library(<library>): the library uhas_<library> and its public headers (lib/public_headers.txt).
 function(uhas_install_library library)
   if(library STREQUAL runtime)
     set(component runtime)
@@ -24,9 +24,11 @@ function(uhas_install_library library)
   install(TARGETS uhas_${library} EXPORT uhas-${library}
     LIBRARY COMPONENT ${component} NAMELINK_COMPONENT dev ARCHIVE COMPONENT dev INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
   install(EXPORT uhas-${library} NAMESPACE uhas:: DESTINATION ${UHAS_CONFIG_FOLDER} COMPONENT dev)
-  foreach(room ${ARGN})
-    install(DIRECTORY uhas/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/uhas COMPONENT dev
-      FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp" PATTERN "*_detail.hpp" EXCLUDE)
+  file(STRINGS ${PROJECT_SOURCE_DIR}/lib/public_headers.txt headers REGEX "^${library} ")
+  foreach(header ${headers})
+    string(REPLACE "${library} " "uhas/" header ${header})
+    cmake_path(GET header PARENT_PATH room)
+    install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${room} COMPONENT dev)
   endforeach()
 endfunction()
 

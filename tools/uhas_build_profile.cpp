@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <iostream>
 
-#include "common/findings.hpp"
-#include "common/hand_explanation.hpp"
-#include "common/hand_input.hpp"
-#include "common/profile_summary.hpp"
+#include "tables/findings.hpp"
+#include "tables/hand_explanation.hpp"
+#include "input/hand_input.hpp"
+#include "json/profile_summary.hpp"
 #include "uhas/profile_io/write_profile.hpp"
 
 using namespace uhas;

@@ -3,12 +3,12 @@
 #include <iostream>
 #include <thread>
 
-#include "common/evaluation_report.hpp"
-#include "common/model_input.hpp"
-#include "common/profile_input.hpp"
-#include "common/report_page.hpp"
-#include "common/tool.hpp"
-#include "uhas/base/file_bytes.hpp"
+#include "json/evaluation_report.hpp"
+#include "input/model_input.hpp"
+#include "input/profile_input.hpp"
+#include "output/report_page.hpp"
+#include "command_line/tool.hpp"
+#include "uhas/files/file_bytes.hpp"
 
 using namespace uhas;
 using namespace uhas::tools;

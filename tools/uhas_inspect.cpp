@@ -2,13 +2,13 @@
 #include <algorithm>
 #include <iostream>
 
-#include "common/findings.hpp"
-#include "common/json_value.hpp"
-#include "common/pictures.hpp"
-#include "common/profile_check.hpp"
-#include "common/profile_input.hpp"
-#include "common/profile_summary.hpp"
-#include "common/table.hpp"
+#include "tables/findings.hpp"
+#include "json/json_value.hpp"
+#include "output/pictures.hpp"
+#include "tables/profile_check.hpp"
+#include "input/profile_input.hpp"
+#include "json/profile_summary.hpp"
+#include "tables/table.hpp"
 #include "uhas/profile_io/reseal_profile.hpp"
 
 using namespace uhas;

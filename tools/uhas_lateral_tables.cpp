@@ -1,9 +1,9 @@
 // uhas-lateral-tables: how far each lateral joint carries its fingertip around the sphere.
 #include <iostream>
 
-#include "common/hand_input.hpp"
-#include "common/stage_json.hpp"
-#include "common/table.hpp"
+#include "input/hand_input.hpp"
+#include "json/stage_json.hpp"
+#include "tables/table.hpp"
 
 using namespace uhas;
 using namespace uhas::tools;

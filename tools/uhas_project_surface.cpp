@@ -1,10 +1,10 @@
 // uhas-project-surface: which points of the hand's surface the sphere sees.
 #include <iostream>
 
-#include "common/hand_input.hpp"
-#include "common/output.hpp"
-#include "common/stage_json.hpp"
-#include "common/table.hpp"
+#include "input/hand_input.hpp"
+#include "output/output.hpp"
+#include "json/stage_json.hpp"
+#include "tables/table.hpp"
 
 using namespace uhas;
 using namespace uhas::tools;

@@ -1,14 +1,14 @@
 // uhas-retarget: a trajectory of one hand becomes one of another.
 #include <iostream>
 
-#include "common/joint_order.hpp"
-#include "common/json_lines.hpp"
-#include "common/limits.hpp"
-#include "common/profile_input.hpp"
-#include "common/progress.hpp"
-#include "common/table.hpp"
-#include "common/tool.hpp"
-#include "common/trajectory_json.hpp"
+#include "input/joint_order.hpp"
+#include "json/json_lines.hpp"
+#include "command_line/limits.hpp"
+#include "input/profile_input.hpp"
+#include "command_line/progress.hpp"
+#include "tables/table.hpp"
+#include "command_line/tool.hpp"
+#include "trajectory/trajectory_json.hpp"
 #include "uhas/runtime/retarget.hpp"
 
 using namespace uhas;

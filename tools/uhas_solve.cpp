@@ -2,15 +2,15 @@
 #include <iostream>
 #include <optional>
 
-#include "common/actions.hpp"
-#include "common/json_lines.hpp"
-#include "common/limits.hpp"
-#include "common/output.hpp"
-#include "common/profile_input.hpp"
-#include "common/report_page.hpp"
-#include "common/solution.hpp"
-#include "common/tool.hpp"
-#include "uhas/base/file_bytes.hpp"
+#include "input/actions.hpp"
+#include "json/json_lines.hpp"
+#include "command_line/limits.hpp"
+#include "output/output.hpp"
+#include "input/profile_input.hpp"
+#include "output/report_page.hpp"
+#include "output/solution.hpp"
+#include "command_line/tool.hpp"
+#include "uhas/files/file_bytes.hpp"
 
 using namespace uhas;
 using namespace uhas::tools;

@@ -1,10 +1,10 @@
 // uhas-sphere-frame: where the canonical sphere stands in a hand.
 #include <iostream>
 
-#include "common/hand_input.hpp"
-#include "common/names.hpp"
-#include "common/stage_json.hpp"
-#include "common/table.hpp"
+#include "input/hand_input.hpp"
+#include "tables/names.hpp"
+#include "json/stage_json.hpp"
+#include "tables/table.hpp"
 
 using namespace uhas;
 using namespace uhas::tools;

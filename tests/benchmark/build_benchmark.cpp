@@ -5,8 +5,8 @@
 #include <span>
 
 #include "build_measurement.hpp"
-#include "common/table.hpp"
-#include "common/tool.hpp"
+#include "tables/table.hpp"
+#include "command_line/tool.hpp"
 #include "hand_case.hpp"
 #include "judgement.hpp"
 #include "machine.hpp"

@@ -8,9 +8,9 @@
 #include <assimp/Importer.hpp>
 #include <stdexcept>
 
-#include "uhas/model/mesh_path_detail.hpp"
+#include "uhas/model/meshes/mesh_path.hpp"
 #include "uhas/profile_builder/build_profile.hpp"
-#include "uhas/profile_io/profile_image_detail.hpp"
+#include "uhas/profile_io/image/profile_image.hpp"
 
 namespace uhas::benchmark {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <ostream>
 
-#include "common/table.hpp"
+#include "tables/table.hpp"
 
 namespace uhas::benchmark {
 namespace {

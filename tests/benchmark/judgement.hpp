@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "common/json_text.hpp"
+#include "json/json_text.hpp"
 
 namespace uhas::benchmark {
 

@@ -5,7 +5,7 @@
 #include <ostream>
 #include <thread>
 
-#include "common/table.hpp"
+#include "tables/table.hpp"
 #include "uhas/runtime/instruction_set.hpp"
 
 namespace uhas::benchmark {

@@ -4,7 +4,7 @@
 #include <iosfwd>
 #include <string>
 
-#include "common/json_text.hpp"
+#include "json/json_text.hpp"
 
 namespace uhas::benchmark {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "uhas/runtime/fingertip_chain_detail.hpp"
+#include "uhas/runtime/observing/fingertip_chain.hpp"
 
 namespace uhas::benchmark {
 

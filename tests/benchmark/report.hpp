@@ -4,7 +4,7 @@
 #include <iosfwd>
 #include <vector>
 
-#include "common/json_text.hpp"
+#include "json/json_text.hpp"
 #include "machine.hpp"
 #include "requirements.hpp"
 #include "runtime_measurement.hpp"

@@ -1,6 +1,6 @@
 #include <ostream>
 
-#include "common/table.hpp"
+#include "tables/table.hpp"
 #include "report.hpp"
 
 namespace uhas::benchmark {

@@ -2,8 +2,8 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "common/progress.hpp"
-#include "common/tool.hpp"
+#include "command_line/progress.hpp"
+#include "command_line/tool.hpp"
 #include "report.hpp"
 
 using namespace uhas;

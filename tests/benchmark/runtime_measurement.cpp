@@ -11,7 +11,7 @@
 #include "uhas/runtime/cascade_solver.hpp"
 #include "uhas/runtime/encoder.hpp"
 #include "uhas/runtime/fingertip_kinematics.hpp"
-#include "uhas/runtime/forward_kinematics.hpp"
+#include "uhas/kinematics/forward_kinematics.hpp"
 #include "uhas/runtime/observation.hpp"
 
 namespace uhas::benchmark {

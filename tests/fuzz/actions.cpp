@@ -1,9 +1,9 @@
 // A file of actions, and the same bytes as JSON Lines: actions that a solver takes, or an Error.
-#include "common/actions.hpp"
+#include "input/actions.hpp"
 
 #include <sstream>
 
-#include "common/json_lines.hpp"
+#include "json/json_lines.hpp"
 #include "fuzz_file.hpp"
 #include "support/small_profile.hpp"
 

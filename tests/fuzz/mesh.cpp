@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "fuzz_file.hpp"
-#include "uhas/model/mesh_reader_detail.hpp"
+#include "uhas/model/meshes/mesh_reader.hpp"
 
 using namespace uhas;
 using namespace uhas::test;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "support/small_profile.hpp"
-#include "uhas/profile_io/profile_image_detail.hpp"
+#include "uhas/profile_io/image/profile_image.hpp"
 
 namespace uhas::test {
 

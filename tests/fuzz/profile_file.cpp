@@ -4,7 +4,7 @@
 #include "fuzz_file.hpp"
 #include "profile_edits.hpp"
 #include "uhas/profile_io/read_profile.hpp"
-#include "uhas/profile_io/user_block_detail.hpp"
+#include "uhas/profile_io/image/user_block.hpp"
 #include "uhas/runtime/cascade_solver.hpp"
 
 using namespace uhas;

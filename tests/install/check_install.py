@@ -78,8 +78,11 @@ class Installation:
         """Each alone, so that none leans on what another includes; those of C in C99 too."""
         include = self.prefix / "include"
         headers = sorted(path.relative_to(include) for path in include.rglob("*.h*"))
-        if not headers or any("_detail" in path.name for path in headers):
-            raise Failure(f"public headers: {headers}")
+        libraries = ["runtime", "preprocess", "analysis"] if self.has_preprocess else ["runtime"]
+        listed = [line.split() for line in (ROOT / "lib/public_headers.txt").read_text().splitlines()]
+        public = sorted(pathlib.Path("uhas") / header for library, header in listed if library in libraries)
+        if headers != public:
+            raise Failure(f"installed headers\n{headers}\npublic headers\n{public}")
         for header in headers:
             for compiler in ["c++ -x c++ -std=c++20"] + ["cc -x c -std=c99"] * (header.suffix == ".h"):
                 source = self.scratch / "header"

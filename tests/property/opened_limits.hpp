@@ -7,7 +7,7 @@
 #include <string>
 
 #include "uhas/profile_builder/build_profile.hpp"
-#include "uhas/runtime/forward_kinematics.hpp"
+#include "uhas/kinematics/forward_kinematics.hpp"
 
 namespace uhas::test {
 

@@ -11,7 +11,7 @@
 
 #include "uhas/base/spherical.hpp"
 #include "uhas/runtime/cascade_solver.hpp"
-#include "uhas/runtime/forward_kinematics.hpp"
+#include "uhas/kinematics/forward_kinematics.hpp"
 
 namespace uhas::test {
 namespace {

@@ -9,7 +9,7 @@
 #include "support/real_profile.hpp"
 #include "support/triangle_bvh.hpp"
 #include "uhas/base/spherical.hpp"
-#include "uhas/runtime/forward_kinematics.hpp"
+#include "uhas/kinematics/forward_kinematics.hpp"
 
 namespace uhas {
 namespace {

@@ -9,7 +9,7 @@
 #include "support/environment.hpp"
 #include "support/random_action.hpp"
 #include "support/real_profile.hpp"
-#include "uhas/runtime/encoder_model_detail.hpp"
+#include "uhas/runtime/encoding/encoder_model.hpp"
 #include "uhas/runtime/retarget.hpp"
 
 using namespace uhas;

@@ -10,7 +10,7 @@
 #include "support/kdl_tree.hpp"
 #include "support/real_hand.hpp"
 #include "uhas/model/hand_model.hpp"
-#include "uhas/runtime/forward_kinematics.hpp"
+#include "uhas/kinematics/forward_kinematics.hpp"
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "support/real_hand.hpp"
-#include "uhas/base/sha256.hpp"
+#include "uhas/files/sha256.hpp"
 #include "uhas/model/hand_model.hpp"
 
 using namespace uhas;

@@ -8,7 +8,7 @@
 #include "support/real_profile.hpp"
 #include "uhas/evaluation/battery.hpp"
 #include "uhas/evaluation/fit.hpp"
-#include "uhas/evaluation/optimum_detail.hpp"
+#include "uhas/evaluation/least_squares/optimum.hpp"
 #include "uhas/evaluation/smoothness.hpp"
 
 using namespace uhas;

@@ -11,7 +11,7 @@
 #include "support/random_action.hpp"
 #include "support/real_profile.hpp"
 #include "uhas/collision/collision_free_solver.hpp"
-#include "uhas/runtime/forward_kinematics.hpp"
+#include "uhas/kinematics/forward_kinematics.hpp"
 
 using namespace uhas;
 using namespace uhas::test;

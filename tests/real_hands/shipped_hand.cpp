@@ -11,7 +11,7 @@
 
 #include "support/real_profile.hpp"
 #include "uhas/base/spherical.hpp"
-#include "uhas/runtime/forward_kinematics.hpp"
+#include "uhas/kinematics/forward_kinematics.hpp"
 
 using namespace uhas;
 using namespace uhas::test;

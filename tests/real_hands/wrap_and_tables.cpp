@@ -8,8 +8,8 @@
 
 #include "support/real_profile.hpp"
 #include "uhas/base/spherical.hpp"
-#include "uhas/runtime/forward_kinematics.hpp"
-#include "uhas/runtime/lateral_lookup.hpp"
+#include "uhas/kinematics/forward_kinematics.hpp"
+#include "uhas/kinematics/lateral_lookup.hpp"
 
 using namespace uhas;
 using namespace uhas::test;

@@ -6,7 +6,7 @@
 
 #include "uhas/base/spherical.hpp"
 #include "uhas/profile/hand_profile.hpp"
-#include "uhas/runtime/forward_kinematics.hpp"
+#include "uhas/kinematics/forward_kinematics.hpp"
 
 namespace uhas::test {
 

@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "uhas/base/spherical.hpp"
-#include "uhas/runtime/forward_kinematics.hpp"
+#include "uhas/kinematics/forward_kinematics.hpp"
 
 namespace uhas::test {
 namespace {

@@ -6,16 +6,16 @@
 #include <optional>
 
 #include "uhas/anatomy/config_names.hpp"
-#include "uhas/anatomy/digits_detail.hpp"
-#include "uhas/anatomy/extension_detail.hpp"
-#include "uhas/anatomy/fingertip_detail.hpp"
-#include "uhas/anatomy/normal_error_detail.hpp"
-#include "uhas/anatomy/open_pose_detail.hpp"
+#include "uhas/anatomy/fingers/digits.hpp"
+#include "uhas/anatomy/opening/extension.hpp"
+#include "uhas/anatomy/fingers/fingertip.hpp"
+#include "uhas/anatomy/palm/normal_error.hpp"
+#include "uhas/anatomy/opening/open_pose.hpp"
 #include "uhas/anatomy/palm_plane.hpp"
-#include "uhas/anatomy/palm_slab_detail.hpp"
-#include "uhas/anatomy/palm_tree_detail.hpp"
+#include "uhas/anatomy/palm/palm_slab.hpp"
+#include "uhas/anatomy/palm/palm_tree.hpp"
 #include "uhas/base/errors.hpp"
-#include "uhas/runtime/forward_kinematics.hpp"
+#include "uhas/kinematics/forward_kinematics.hpp"
 
 namespace uhas {
 namespace {

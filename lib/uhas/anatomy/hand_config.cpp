@@ -9,7 +9,7 @@
 
 #include "uhas/anatomy/nearest_name.hpp"
 #include "uhas/base/errors.hpp"
-#include "uhas/base/file_bytes.hpp"
+#include "uhas/files/file_bytes.hpp"
 
 namespace uhas {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "uhas/anatomy/finger_pose_detail.hpp"
+#include "uhas/anatomy/fingers/finger_pose.hpp"
 #include "uhas/base/spherical.hpp"
 
 namespace uhas {

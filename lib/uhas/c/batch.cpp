@@ -1,7 +1,7 @@
 // uhas.h: solving at scale.
 #include <vector>
 
-#include "uhas/c/call_detail.hpp"
+#include "uhas/c/call.hpp"
 #include "uhas/runtime/batch_solver.hpp"
 
 using namespace uhas;

@@ -1,5 +1,5 @@
 // uhas.h: encoding and retargeting.
-#include "uhas/c/call_detail.hpp"
+#include "uhas/c/call.hpp"
 #include "uhas/runtime/retarget.hpp"
 
 using namespace uhas;

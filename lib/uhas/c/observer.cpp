@@ -1,5 +1,5 @@
 // uhas.h: observing.
-#include "uhas/c/call_detail.hpp"
+#include "uhas/c/call.hpp"
 #include "uhas/runtime/observation.hpp"
 
 using namespace uhas;

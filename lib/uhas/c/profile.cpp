@@ -1,5 +1,5 @@
 // uhas.h: versions, statuses, the hand profile.
-#include "uhas/c/call_detail.hpp"
+#include "uhas/c/call.hpp"
 #include "uhas/profile_io/read_profile.hpp"
 
 using namespace uhas;

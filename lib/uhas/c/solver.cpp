@@ -1,5 +1,5 @@
 // uhas.h: solving and the sphere controller.
-#include "uhas/c/call_detail.hpp"
+#include "uhas/c/call.hpp"
 #include "uhas/runtime/sphere_controller.hpp"
 
 using namespace uhas;

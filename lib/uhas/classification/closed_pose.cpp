@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "uhas/anatomy/config_names.hpp"
-#include "uhas/classification/finger_sweep_detail.hpp"
-#include "uhas/runtime/forward_kinematics.hpp"
+#include "uhas/classification/finger_sweep.hpp"
+#include "uhas/kinematics/forward_kinematics.hpp"
 
 namespace uhas {
 namespace {

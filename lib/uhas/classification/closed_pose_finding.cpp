@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "uhas/classification/finger_sweep_detail.hpp"
-#include "uhas/runtime/forward_kinematics.hpp"
+#include "uhas/classification/finger_sweep.hpp"
+#include "uhas/kinematics/forward_kinematics.hpp"
 
 namespace uhas {
 namespace {

@@ -1,4 +1,4 @@
-#include "uhas/classification/finger_sweep_detail.hpp"
+#include "uhas/classification/finger_sweep.hpp"
 
 #include <algorithm>
 

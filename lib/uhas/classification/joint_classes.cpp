@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "uhas/base/spherical.hpp"
-#include "uhas/classification/finger_sweep_detail.hpp"
-#include "uhas/runtime/forward_kinematics.hpp"
+#include "uhas/classification/finger_sweep.hpp"
+#include "uhas/kinematics/forward_kinematics.hpp"
 
 namespace uhas {
 namespace {

@@ -1,6 +1,6 @@
 #include "uhas/collision/collision_free_solver.hpp"
 
-#include "uhas/collision/action_way_detail.hpp"
+#include "uhas/collision/action_way.hpp"
 
 namespace uhas {
 namespace {

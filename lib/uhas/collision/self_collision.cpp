@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "uhas/base/errors.hpp"
-#include "uhas/collision/link_pairs_detail.hpp"
-#include "uhas/collision/link_surface_detail.hpp"
+#include "uhas/collision/surfaces/link_pairs.hpp"
+#include "uhas/collision/surfaces/link_surface.hpp"
 #include "uhas/geometry/simplified_geometry.hpp"
-#include "uhas/runtime/forward_kinematics.hpp"
+#include "uhas/kinematics/forward_kinematics.hpp"
 
 namespace uhas {
 namespace {

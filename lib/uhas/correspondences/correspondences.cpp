@@ -7,10 +7,10 @@
 
 #include "uhas/base/errors.hpp"
 #include "uhas/base/spherical.hpp"
-#include "uhas/correspondences/point_weights_detail.hpp"
-#include "uhas/correspondences/ray_caster_detail.hpp"
-#include "uhas/correspondences/triangle_detail.hpp"
-#include "uhas/runtime/forward_kinematics.hpp"
+#include "uhas/correspondences/point_weights.hpp"
+#include "uhas/correspondences/rays/ray_caster.hpp"
+#include "uhas/correspondences/rays/triangle.hpp"
+#include "uhas/kinematics/forward_kinematics.hpp"
 
 namespace uhas {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "uhas/evaluation/action_space_detail.hpp"
+#include "uhas/evaluation/action_space.hpp"
 
 namespace uhas {
 

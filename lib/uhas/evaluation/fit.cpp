@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "uhas/evaluation/optimum_detail.hpp"
-#include "uhas/evaluation/parallel_detail.hpp"
-#include "uhas/runtime/forward_kinematics.hpp"
+#include "uhas/evaluation/least_squares/optimum.hpp"
+#include "uhas/evaluation/parallel.hpp"
+#include "uhas/kinematics/forward_kinematics.hpp"
 
 namespace uhas {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <random>
 
-#include "uhas/evaluation/action_space_detail.hpp"
-#include "uhas/evaluation/parallel_detail.hpp"
+#include "uhas/evaluation/action_space.hpp"
+#include "uhas/evaluation/parallel.hpp"
 
 namespace uhas {
 namespace {

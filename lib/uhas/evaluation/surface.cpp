@@ -5,10 +5,10 @@
 #include <numbers>
 
 #include "uhas/base/spherical.hpp"
-#include "uhas/evaluation/driving_plane_detail.hpp"
-#include "uhas/evaluation/parallel_detail.hpp"
+#include "uhas/evaluation/least_squares/driving_plane.hpp"
+#include "uhas/evaluation/parallel.hpp"
 #include "uhas/runtime/cascade_solver.hpp"
-#include "uhas/runtime/forward_kinematics.hpp"
+#include "uhas/kinematics/forward_kinematics.hpp"
 
 namespace uhas {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "uhas/base/errors.hpp"
 #include "uhas/base/spherical.hpp"
-#include "uhas/runtime/forward_kinematics.hpp"
-#include "uhas/runtime/lateral_lookup.hpp"
+#include "uhas/kinematics/forward_kinematics.hpp"
+#include "uhas/kinematics/lateral_lookup.hpp"
 
 namespace uhas {
 namespace {

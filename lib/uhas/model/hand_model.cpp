@@ -7,17 +7,17 @@
 #include <span>
 #include <string_view>
 
-#include "uhas/base/child_process.hpp"
+#include "uhas/fence/child_process.hpp"
 #include "uhas/base/errors.hpp"
-#include "uhas/base/file_bytes.hpp"
-#include "uhas/model/link_order_detail.hpp"
-#include "uhas/model/mesh_bounds_detail.hpp"
-#include "uhas/model/mesh_folders_detail.hpp"
-#include "uhas/model/mesh_path_detail.hpp"
-#include "uhas/model/mesh_reader_detail.hpp"
-#include "uhas/model/primitives_detail.hpp"
-#include "uhas/model/source_file_detail.hpp"
-#include "uhas/model/urdf_reader_detail.hpp"
+#include "uhas/files/file_bytes.hpp"
+#include "uhas/model/urdf/link_order.hpp"
+#include "uhas/model/meshes/mesh_bounds.hpp"
+#include "uhas/model/meshes/mesh_folders.hpp"
+#include "uhas/model/meshes/mesh_path.hpp"
+#include "uhas/model/meshes/mesh_reader.hpp"
+#include "uhas/model/meshes/primitives.hpp"
+#include "uhas/model/meshes/source_file.hpp"
+#include "uhas/model/urdf/urdf_reader.hpp"
 
 namespace uhas {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "uhas/base/child_process.hpp"
+#include "uhas/fence/child_process.hpp"
 #include "uhas/base/kinematic_tree.hpp"
 #include "uhas/profile/hand_profile.hpp"
 

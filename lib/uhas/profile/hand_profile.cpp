@@ -8,7 +8,7 @@
 #include <span>
 
 #include "uhas/base/errors.hpp"
-#include "uhas/profile/utf8_detail.hpp"
+#include "uhas/profile/utf8.hpp"
 
 namespace uhas {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "uhas/base/errors.hpp"
-#include "uhas/profile_io/layout_detail.hpp"
+#include "uhas/profile_io/layout/layout.hpp"
 
 namespace uhas {
 namespace {

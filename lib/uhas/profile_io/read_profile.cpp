@@ -1,9 +1,9 @@
 #include "uhas/profile_io/read_profile.hpp"
 
-#include "uhas/base/file_bytes.hpp"
+#include "uhas/files/file_bytes.hpp"
 #include "uhas/profile_io/flat_profile.hpp"
-#include "uhas/profile_io/profile_image_detail.hpp"
-#include "uhas/profile_io/user_block_detail.hpp"
+#include "uhas/profile_io/image/profile_image.hpp"
+#include "uhas/profile_io/image/user_block.hpp"
 
 namespace uhas {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "uhas/base/child_process.hpp"
+#include "uhas/fence/child_process.hpp"
 #include "uhas/base/errors.hpp"
 #include "uhas/profile/hand_profile.hpp"
 

@@ -1,8 +1,8 @@
 #include "uhas/profile_io/reseal_profile.hpp"
 
-#include "uhas/base/file_bytes.hpp"
-#include "uhas/profile_io/profile_error_detail.hpp"
-#include "uhas/profile_io/profile_image_detail.hpp"
+#include "uhas/files/file_bytes.hpp"
+#include "uhas/profile_io/image/profile_error.hpp"
+#include "uhas/profile_io/image/profile_image.hpp"
 
 namespace uhas {
 

@@ -1,8 +1,8 @@
 #include "uhas/profile_io/write_profile.hpp"
 
 #include "uhas/base/errors.hpp"
-#include "uhas/base/file_bytes.hpp"
-#include "uhas/profile_io/profile_image_detail.hpp"
+#include "uhas/files/file_bytes.hpp"
+#include "uhas/profile_io/image/profile_image.hpp"
 
 namespace uhas {
 

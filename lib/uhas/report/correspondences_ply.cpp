@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "uhas/report/posed_hand_detail.hpp"
+#include "uhas/report/posed_hand.hpp"
 #include "uhas/report/sphere_colour.hpp"
 #include "uhas/runtime/joint_groups.hpp"
 

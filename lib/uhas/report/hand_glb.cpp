@@ -13,7 +13,7 @@
 #include <string>
 
 #include "uhas/base/spherical.hpp"
-#include "uhas/report/posed_hand_detail.hpp"
+#include "uhas/report/posed_hand.hpp"
 #include "uhas/report/sphere_colour.hpp"
 
 namespace uhas {

@@ -2,8 +2,8 @@
 
 #include <string_view>
 
-#include "uhas/report/embedded_files_detail.hpp"
-#include "uhas/report/report_document_detail.hpp"
+#include "uhas/report/html/embedded_files.hpp"
+#include "uhas/report/html/report_document.hpp"
 
 namespace uhas {
 namespace {

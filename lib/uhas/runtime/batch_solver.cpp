@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "uhas/runtime/cascade_lanes_detail.hpp"
-#include "uhas/runtime/worker_pool_detail.hpp"
+#include "uhas/runtime/lanes/cascade_lanes.hpp"
+#include "uhas/runtime/lanes/worker_pool.hpp"
 
 namespace uhas {
 namespace {

@@ -1,7 +1,7 @@
 #include "uhas/runtime/cascade_solver.hpp"
 
-#include "uhas/runtime/cascade_contact_detail.hpp"
-#include "uhas/runtime/cascade_lanes_kernel_detail.hpp"
+#include "uhas/runtime/cascade/contact_rule.hpp"
+#include "uhas/runtime/lanes/cascade_lanes_kernel.hpp"
 
 namespace uhas {
 namespace {

@@ -1,7 +1,7 @@
 #include "uhas/runtime/deformation_field.hpp"
 
-#include "uhas/runtime/plane_groups_detail.hpp"
-#include "uhas/runtime/solver_model_detail.hpp"
+#include "uhas/runtime/cascade/plane_groups.hpp"
+#include "uhas/runtime/cascade/solver_model.hpp"
 
 namespace uhas {
 

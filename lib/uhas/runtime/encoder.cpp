@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include "uhas/runtime/encoding_detail.hpp"
+#include "uhas/runtime/encoding/encoding.hpp"
 
 namespace uhas {
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "uhas/runtime/forward_kinematics.hpp"
+#include "uhas/kinematics/forward_kinematics.hpp"
 
 namespace uhas {
 namespace {

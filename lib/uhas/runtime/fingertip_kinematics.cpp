@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "uhas/runtime/fingertip_kernel_detail.hpp"
+#include "uhas/runtime/observing/fingertip_kernel.hpp"
 
 namespace uhas {
 

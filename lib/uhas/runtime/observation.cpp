@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "uhas/runtime/axis_frame_detail.hpp"
-#include "uhas/runtime/observation_kernel_detail.hpp"
+#include "uhas/kinematics/axis_frame.hpp"
+#include "uhas/runtime/observing/observation_kernel.hpp"
 
 namespace uhas {
 namespace {

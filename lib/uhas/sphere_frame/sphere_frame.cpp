@@ -6,8 +6,8 @@
 #include "uhas/anatomy/palm_plane.hpp"
 #include "uhas/base/errors.hpp"
 #include "uhas/base/spherical.hpp"
-#include "uhas/runtime/forward_kinematics.hpp"
-#include "uhas/sphere_frame/slots_detail.hpp"
+#include "uhas/kinematics/forward_kinematics.hpp"
+#include "uhas/sphere_frame/slots.hpp"
 
 namespace uhas {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "uhas/runtime/contact.hpp"
-#include "uhas/runtime/forward_kinematics.hpp"
+#include "uhas/kinematics/contact.hpp"
+#include "uhas/kinematics/forward_kinematics.hpp"
 
 namespace uhas {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "uhas/classification/joint_classes.hpp"
-#include "uhas/runtime/cascade_plan.hpp"
+#include "uhas/kinematics/cascade_plan.hpp"
 
 namespace uhas {
 

@@ -1,7 +1,7 @@
 #include <doctest/doctest.h>
 
 #include "support/toy_hand.hpp"
-#include "uhas/anatomy/finger_chains_detail.hpp"
+#include "uhas/anatomy/fingers/finger_chains.hpp"
 #include "uhas/base/errors.hpp"
 
 using namespace uhas;

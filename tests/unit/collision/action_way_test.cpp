@@ -5,7 +5,7 @@
 
 #include "support/random_action.hpp"
 #include "support/small_profile.hpp"
-#include "uhas/collision/action_way_detail.hpp"
+#include "uhas/collision/action_way.hpp"
 #include "uhas/runtime/cascade_solver.hpp"
 
 using namespace uhas;

@@ -6,7 +6,7 @@
 
 #include "support/mesh_contact.hpp"
 #include "support/sliding_boxes.hpp"
-#include "uhas/collision/link_surface_detail.hpp"
+#include "uhas/collision/surfaces/link_surface.hpp"
 
 using namespace uhas;
 using namespace uhas::test;

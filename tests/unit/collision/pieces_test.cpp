@@ -1,7 +1,7 @@
 #include <doctest/doctest.h>
 
 #include "support/sliding_boxes.hpp"
-#include "uhas/collision/pieces_detail.hpp"
+#include "uhas/collision/surfaces/pieces.hpp"
 
 using namespace uhas;
 using namespace uhas::test;

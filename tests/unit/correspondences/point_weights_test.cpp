@@ -4,7 +4,7 @@
 #include <random>
 #include <vector>
 
-#include "uhas/correspondences/point_weights_detail.hpp"
+#include "uhas/correspondences/point_weights.hpp"
 
 namespace uhas {
 namespace {

@@ -1,7 +1,7 @@
 #include <doctest/doctest.h>
 
 #include "toy_hand.hpp"
-#include "uhas/correspondences/ray_caster_detail.hpp"
+#include "uhas/correspondences/rays/ray_caster.hpp"
 
 namespace uhas {
 

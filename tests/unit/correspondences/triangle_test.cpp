@@ -1,7 +1,7 @@
 #include <doctest/doctest.h>
 
 #include "toy_hand.hpp"
-#include "uhas/correspondences/triangle_detail.hpp"
+#include "uhas/correspondences/rays/triangle.hpp"
 
 namespace uhas {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "support/arch_profile.hpp"
 #include "support/slider_profile.hpp"
-#include "uhas/evaluation/action_space_detail.hpp"
+#include "uhas/evaluation/action_space.hpp"
 #include "uhas/evaluation/battery.hpp"
-#include "uhas/evaluation/least_squares_detail.hpp"
+#include "uhas/evaluation/least_squares/least_squares.hpp"
 
 using namespace uhas;
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "support/slider_profile.hpp"
-#include "uhas/evaluation/optimum_detail.hpp"
+#include "uhas/evaluation/least_squares/optimum.hpp"
 
 using namespace uhas;
 

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "uhas/evaluation/parallel_detail.hpp"
+#include "uhas/evaluation/parallel.hpp"
 
 using namespace uhas;
 

@@ -11,7 +11,7 @@
 #include "support/error_check.hpp"
 #include "support/sphere_hand.hpp"
 #include "uhas/base/spherical.hpp"
-#include "uhas/runtime/lateral_lookup.hpp"
+#include "uhas/kinematics/lateral_lookup.hpp"
 
 using namespace uhas;
 using namespace uhas::test;

@@ -1,6 +1,6 @@
 // What a child process hands over of a mesh comes back as it was; bytes that are no mesh are refused.
 #include "model_fixture.hpp"
-#include "uhas/model/mesh_bytes_detail.hpp"
+#include "uhas/model/meshes/mesh_bytes.hpp"
 
 using namespace uhas;
 using namespace uhas::test;

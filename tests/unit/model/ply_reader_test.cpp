@@ -4,7 +4,7 @@
 
 #include "mesh_files.hpp"
 #include "model_fixture.hpp"
-#include "uhas/model/ply_reader_detail.hpp"
+#include "uhas/model/meshes/ply_reader.hpp"
 
 using namespace uhas;
 using namespace uhas::test;

@@ -7,7 +7,7 @@
 
 #include "support/small_profile.hpp"
 #include "uhas/base/errors.hpp"
-#include "uhas/profile/utf8_detail.hpp"
+#include "uhas/profile/utf8.hpp"
 
 using uhas::HandProfile;
 

@@ -9,7 +9,7 @@
 #include "support/scratch_folder.hpp"
 #include "support/small_profile.hpp"
 #include "uhas/profile_io/read_profile.hpp"
-#include "uhas/profile_io/user_block_detail.hpp"
+#include "uhas/profile_io/image/user_block.hpp"
 #include "uhas/profile_io/write_profile.hpp"
 
 using namespace uhas;

@@ -10,7 +10,7 @@
 #include "support/error_check.hpp"
 #include "support/small_profile.hpp"
 #include "uhas/profile_io/flat_profile.hpp"
-#include "uhas/report/base64_detail.hpp"
+#include "uhas/report/html/base64.hpp"
 
 using namespace uhas;
 using namespace uhas::test;

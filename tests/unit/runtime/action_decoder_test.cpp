@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "support/small_profile.hpp"
-#include "uhas/runtime/action_decoder_detail.hpp"
+#include "uhas/runtime/cascade/action_decoder.hpp"
 
 using namespace uhas;
 

@@ -11,8 +11,8 @@
 #include "support/small_profile.hpp"
 #include "uhas/runtime/batch_solver.hpp"
 #include "uhas/runtime/cascade_solver.hpp"
-#include "uhas/runtime/forward_kinematics.hpp"
-#include "uhas/runtime/lateral_lookup.hpp"
+#include "uhas/kinematics/forward_kinematics.hpp"
+#include "uhas/kinematics/lateral_lookup.hpp"
 
 using namespace uhas;
 

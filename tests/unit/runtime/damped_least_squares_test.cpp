@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "uhas/runtime/damped_least_squares_detail.hpp"
+#include "uhas/runtime/encoding/damped_least_squares.hpp"
 
 using namespace uhas;
 

@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "support/small_profile.hpp"
-#include "uhas/runtime/forward_kinematics.hpp"
+#include "uhas/kinematics/forward_kinematics.hpp"
 
 using namespace uhas;
 

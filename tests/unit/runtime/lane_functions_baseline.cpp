@@ -1,4 +1,4 @@
-#include "unit/runtime/lane_functions_detail.hpp"
+#include "unit/runtime/lane_functions_kernel.hpp"
 
 namespace uhas::test {
 namespace {

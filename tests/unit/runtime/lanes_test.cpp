@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "uhas/runtime/lane_math_detail.hpp"
-#include "unit/runtime/lane_functions_detail.hpp"
+#include "uhas/runtime/lanes/lane_math.hpp"
+#include "unit/runtime/lane_functions_kernel.hpp"
 
 using namespace uhas;
 using test::LaneFunctions;

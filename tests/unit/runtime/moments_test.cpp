@@ -4,7 +4,7 @@
 #include <random>
 #include <vector>
 
-#include "uhas/runtime/moments_detail.hpp"
+#include "uhas/runtime/cascade/moments.hpp"
 
 using namespace uhas;
 

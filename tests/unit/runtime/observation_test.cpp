@@ -9,7 +9,7 @@
 
 #include "support/mirrored_profile.hpp"
 #include "support/small_profile.hpp"
-#include "uhas/runtime/forward_kinematics.hpp"
+#include "uhas/kinematics/forward_kinematics.hpp"
 
 using namespace uhas;
 

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "uhas/sphere_frame/slots_detail.hpp"
+#include "uhas/sphere_frame/slots.hpp"
 
 using namespace uhas;
 

@@ -8,7 +8,7 @@
 #include "uhas/base/spherical.hpp"
 #include "uhas/lateral_tables/lateral_tables.hpp"
 #include "uhas/runtime/cascade_solver.hpp"
-#include "uhas/runtime/forward_kinematics.hpp"
+#include "uhas/kinematics/forward_kinematics.hpp"
 
 using namespace uhas;
 using namespace uhas::test;

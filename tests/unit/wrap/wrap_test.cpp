@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "support/sphere_hand.hpp"
-#include "uhas/runtime/forward_kinematics.hpp"
+#include "uhas/kinematics/forward_kinematics.hpp"
 
 using namespace uhas;
 using namespace uhas::test;

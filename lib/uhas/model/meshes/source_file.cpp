@@ -1,0 +1,17 @@
+#include "uhas/model/meshes/source_file.hpp"
+
+#include <algorithm>
+
+#include "uhas/files/sha256.hpp"
+
+namespace uhas::detail {
+
+void SourceLog::add(const std::filesystem::path& path, const std::string& reference, std::span<const std::byte> bytes) {
+  namespace fs = std::filesystem;
+  const auto full = [](const fs::path& any) { return (fs::current_path() / any).lexically_normal(); };
+  const bool is_package = reference.starts_with("package://");
+  const std::string name = is_package ? reference : full(path).lexically_relative(full(urdf_folder_)).generic_string();
+  if (std::ranges::find(files_, name, &SourceFile::name) == files_.end()) files_.push_back({name, sha256_hex(bytes)});
+}
+
+}  // namespace uhas::detail

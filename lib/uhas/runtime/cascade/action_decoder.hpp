@@ -1,0 +1,173 @@
+// From an action's numbers to the deformation of each finger's plane: denormalise, clamp, average shared slots (design
+// 2).
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "uhas/base/errors.hpp"
+#include "uhas/runtime/action.hpp"
+#include "uhas/runtime/cascade/plane_deformation.hpp"
+
+namespace uhas {
+
+/// Radial bounds are at most so far from 0: squares of what follows from them stay finite in float.
+inline constexpr double kMostRadialBound = 1e6;
+
+/// The numbers of an action that has passed `ActionDecoder::check`, one action a lane.
+template <class Num>
+struct ActionNumbers {
+  const Num* values;       ///< [5 + 5 V]
+  const Num* phi;          ///< [angles]
+  int vectors;             ///< V
+  int angles = 0;          ///< 0: default driving angles; V or 5 V
+  bool common_phi = true;  ///< `phi` are the same in every lane
+  bool normalized = false;
+  const Num* azimuth_offsets = nullptr;  ///< [5]; null: none
+  const Num* radial_bounds = nullptr;    ///< [2] lower, upper; null: the convention's
+};
+
+/// Null for no numbers at all.
+template <class Real>
+const Real* data_or_null(std::span<const Real> numbers) noexcept {
+  return numbers.empty() ? nullptr : numbers.data();
+}
+
+template <class Real>
+class ActionDecoder {
+ public:
+  explicit ActionDecoder(const HandProfile& profile, const ActionConvention& convention = {})
+      : convention_(convention) {
+    for (const ProfileFinger& finger : profile.fingers) {
+      Owner owner{};
+      for (int slot = 0; slot < kSlotCount; ++slot)
+        if (finger.slots[slot]) owner.slots[owner.slot_count++] = slot;
+      owner.share = Real(1) / Real(owner.slot_count);
+      if (finger.lateral_table >= 0) {
+        owner.lower = static_cast<Real>(profile.lateral_tables[finger.lateral_table].delta_theta_lower);
+        owner.upper = static_cast<Real>(profile.lateral_tables[finger.lateral_table].delta_theta_upper);
+      }
+      owners_.push_back(owner);
+    }
+    for (int vectors = 1; vectors <= kMaxDrivingVectors; ++vectors)
+      for (int j = 0; j < vectors; ++j)
+        default_phi_[vectors - 1][j] = std::numbers::pi_v<Real> * Real(j + 1) / Real(vectors + 1);
+  }
+
+  /// Whether an action of `size` numbers can be decoded; the number of its driving vectors, 0 if not.
+  static int vectors_of(std::size_t size) noexcept {
+    for (int vectors = 1; vectors <= kMaxDrivingVectors; ++vectors)
+      if (size == std::size_t(kSlotCount * (1 + vectors))) return vectors;
+    return 0;
+  }
+
+  /// What solving `action` would be refused for.
+  static Status check(const Action<Real>& action) noexcept {
+    const int vectors = vectors_of(action.values.size());
+    if (vectors == 0) return Status::wrong_size;
+    for (Real value : action.values)
+      if (!std::isfinite(value)) return Status::non_finite_input;
+    if (const Status status = check_offsets(action.azimuth_offsets); status != Status::ok) return status;
+    if (const Status status = check_bounds(action.radial_bounds); status != Status::ok) return status;
+    return check_angles(action.driving_vectors_phi, vectors);
+  }
+
+  /// The same for azimuth offsets and for radial bounds alone.
+  static Status check_offsets(std::span<const Real> offsets) noexcept {
+    if (!offsets.empty() && offsets.size() != kSlotCount) return Status::wrong_size;
+    for (Real offset : offsets)
+      if (!std::isfinite(offset)) return Status::non_finite_input;
+    return Status::ok;
+  }
+  static Status check_bounds(std::span<const Real> bounds) noexcept {
+    if (bounds.empty()) return Status::ok;
+    if (bounds.size() != 2) return Status::wrong_size;
+    if (!std::isfinite(bounds[0]) || !std::isfinite(bounds[1])) return Status::non_finite_input;
+    constexpr Real most(kMostRadialBound);
+    const bool sound = bounds[0] >= -most && bounds[0] <= Real(0) && bounds[1] >= Real(0) && bounds[1] <= most;
+    return sound ? Status::ok : Status::invalid_radial_bounds;
+  }
+
+  /// The same for driving angles alone.
+  static Status check_angles(std::span<const Real> phi, int vectors) noexcept {
+    if (!phi.empty() && phi.size() != std::size_t(vectors) && phi.size() != std::size_t(kSlotCount * vectors))
+      return Status::wrong_size;
+    for (std::size_t i = 0; i < phi.size(); ++i) {
+      const Real before = i % vectors == 0 ? Real(0) : phi[i - 1];
+      if (!(phi[i] > before) || !(phi[i] < std::numbers::pi_v<Real>)) return Status::invalid_driving_vectors;
+    }
+    return Status::ok;
+  }
+
+  /// The numbers of an action that has passed `check`.
+  static ActionNumbers<Real> numbers_of(const Action<Real>& action) noexcept {
+    return {.values = action.values.data(),
+            .phi = action.driving_vectors_phi.data(),
+            .vectors = vectors_of(action.values.size()),
+            .angles = static_cast<int>(action.driving_vectors_phi.size()),
+            .normalized = action.normalized,
+            .azimuth_offsets = data_or_null(action.azimuth_offsets),
+            .radial_bounds = data_or_null(action.radial_bounds)};
+  }
+
+  /// One deformation a finger. `planes`: [finger].
+  template <class Num>
+  void decode(const ActionNumbers<Num>& action, PlaneDeformation<Num>* planes) const noexcept {
+    const int vectors = action.vectors;
+    const bool own_bounds = action.radial_bounds != nullptr;
+    const Num lowest = own_bounds ? action.radial_bounds[0] : Num(Real(convention_.radial_lower));
+    const Num highest = own_bounds ? action.radial_bounds[1] : Num(Real(convention_.radial_upper));
+    const Num at_rest(convention_.absolute_radii ? Real(1)
+                                                 : Real(0));  // a radial input that leaves the sphere as it is
+    const Num sign(Real(convention_.azimuth_sign));
+    for (std::size_t f = 0; f < owners_.size(); ++f) {
+      const Owner& owner = owners_[f];
+      PlaneDeformation<Num>& plane = planes[f];
+      plane.vectors = vectors;
+      plane.delta_theta = Num(0);
+      for (int j = 0; j < vectors; ++j) plane.delta_r[j] = plane.phi[j] = Num(0);
+      plane.common_angles = action.angles == 0 || action.common_phi;
+      for (int n = 0; n < owner.slot_count; ++n) {
+        const int slot = owner.slots[n];
+        const Num lower(owner.lower), upper(owner.upper);
+        Num delta_theta = bounded(sign * action.values[slot], lower, upper, action.normalized);
+        if (action.azimuth_offsets != nullptr)
+          delta_theta = clamp(delta_theta + action.azimuth_offsets[slot], lower, upper);
+        plane.delta_theta += delta_theta;
+        for (int j = 0; j < vectors; ++j) {
+          const Num& input = action.values[kSlotCount + vectors * slot + j];
+          plane.delta_r[j] += bounded(input, lowest, highest, action.normalized) - at_rest;
+          if (action.angles != 0) plane.phi[j] += action.phi[(action.angles == vectors ? 0 : vectors * slot) + j];
+        }
+      }
+      const Num share(owner.share);
+      plane.delta_theta *= share;
+      for (int j = 0; j < vectors; ++j) {
+        plane.delta_r[j] *= share;
+        plane.phi[j] = action.angles == 0 ? Num(default_phi_[vectors - 1][j]) : plane.phi[j] * share;
+      }
+      plane.complete(convention_.held_toward_pole, action.angles == 0);
+    }
+  }
+
+ private:
+  struct Owner {
+    std::array<int, kSlotCount> slots;  // [slot_count]
+    int slot_count;
+    Real share;         // of each of them in the mean
+    Real lower, upper;  // bounds of delta theta
+  };
+
+  template <class Num>
+  static Num bounded(Num value, Num lower, Num upper, bool normalized) noexcept {
+    if (normalized) value *= select(value < Num(0), -lower, upper);
+    return clamp(value, lower, upper);
+  }
+
+  ActionConvention convention_;
+  std::vector<Owner> owners_;
+  std::array<std::array<Real, kMaxDrivingVectors>, kMaxDrivingVectors> default_phi_{};  // [V - 1][j]
+};
+
+}  // namespace uhas

@@ -1,0 +1,101 @@
+// The working half of the solver: the state of one solve and the steps of the cascade, in the order they run.
+// The source files that choose a number type include cascade_kernel.hpp, which holds the definitions.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "uhas/runtime/cascade/patch_moments.hpp"
+#include "uhas/runtime/cascade/solver_model.hpp"
+
+namespace uhas {
+
+/// Everything a solve writes, sized once; running it allocates nothing. Joint values are in solver units.
+/// @tparam Num   float or double for one hand, Lanes for as many hands as it has lanes. No lane depends on another.
+/// @tparam Wide  Lanes of the same real numbers, for the points of a patch
+/// The rule `contact` and the field reading `field` need a plain number.
+template <class Num, class Wide>
+class Cascade {
+ public:
+  using Real = LaneReal<Num>;
+  using Mask = MaskOf<Num>;
+  using Model = SolverModel<Real>;
+  using Pass = SolverPass<Real>;
+
+  explicit Cascade(const Model& model);
+
+  /// From the deformations in `planes` to joint values and flags.
+  void run(const Model& model) noexcept;
+
+  /// Weighted rms distance of the points from their targets, sphere radii; NaN when closing has dropped every point.
+  /// Plain numbers only; to be called once after a run.
+  double residual_rms(const Model& model) noexcept;
+
+  const Num& q(int joint) const noexcept { return joints_[joint].q; }
+  const Mask& at_limit(int joint) const noexcept { return joints_[joint].at_limit; }
+  const Mask& closed(int joint) const noexcept { return joints_[joint].closed; }
+
+  std::vector<PlaneDeformation<Num>> planes;  ///< [finger] in
+
+ private:
+  struct JointState {
+    JointValue<Num> value;          // the cascade's own, before closing
+    bool at_start;                  // `value` is the joint's start
+    RigidTransform<Num> T_S_moved;  // moved frame in S
+    PointMoments<Num> own;          // of the points on the joint's links
+    PointMoments<Num> carried;      // own and all further out, decayed, in the joint's moved frame
+    Num open_share{1};              // of a step: what closing has left of the weight it carries
+    Num q;                          // out
+    Mask at_limit, closed;          // out
+
+    void set(const JointValue<Num>& v) { value = v, at_start = false; }
+  };
+
+  /// A fitted value within limits, and where it was held at one.
+  struct Fit {
+    JointValue<Num> value;
+    Mask at_limit;
+  };
+
+  /// Minus half the first and second derivative of the weighted squared distance.
+  struct Descent {
+    Num slope, bend;
+  };
+
+  /// Where a material point must go, and how much of it closing has left.
+  struct Target {
+    Vector3<Num> t;
+    Num share;
+  };
+
+  const PlaneDeformation<Num>& plane_of(const Model& model, int finger) const noexcept;
+  void average_planes(const Model& model) noexcept;
+  void begin_joints(const Model& model, const SolverPart& part) noexcept;
+  void sum_targets(const Model& model, const SolverPart& part) noexcept;
+  void sum_points(const Model& model) noexcept;
+  Target target_of(const Model& model, const SolverPoint<Real>& point) const noexcept;
+
+  void set_unknown(const Model& model, const SolverStep& step, const JointValue<Num>& value) noexcept;
+  void carry_moments(const Model& model, std::span<const ScopedJoint> scope, const Pass& pass) noexcept;
+  void move_frames(const Model& model, std::span<const ScopedJoint> scope) noexcept;
+  RigidTransform<Num> frame_before_motion(const Model& model, int joint) const noexcept;
+
+  void sweep(const Model& model, const SolverPart& part, const Pass& pass) noexcept;
+  void solve_step(const Model& model, const SolverStep& step, const RigidTransform<Num>& F, const Pass& pass) noexcept;
+  void close_faded(const Model& model, const SolverPart& part) noexcept;
+
+  Fit fit_step(const Model& model, const SolverStep& step, const RigidTransform<Num>& F, const Pass& pass) noexcept;
+  Fit fit_single(const Model& model, const SolverStep& step, const RigidTransform<Num>& F, const Pass& pass) const noexcept;
+  Fit fit_group(const Model& model, const SolverStep& step, const Pass& pass) noexcept;
+  Descent descent(const Model& model, const SolverStep& step, const JointValue<Num>& value, const Pass& pass) noexcept;
+  Fit within_limits(const SolverJoint<Real>& joint, const JointValue<Num>& value) const noexcept;
+
+  Num contact_single(const Model& model, const SolverStep& step, const RigidTransform<Num>& F) noexcept;
+  Num contact_group(const Model& model, const SolverStep& step) noexcept;
+  Vector3<Num> node_in_frame(const Model& model, const ContactNode& node, int joint) const noexcept;
+
+  std::vector<PlaneDeformation<Num>> group_planes_;  // [group of planes] mean of its fingers
+  std::vector<JointState> joints_;                   // [joint]
+};
+
+}  // namespace uhas

@@ -1,0 +1,182 @@
+// The moments of a patch under the deformation of its finger's plane, before the azimuth turns (design 3.7 and 3.8).
+//
+// Whether a patch stays whole, has vanished or fades in between is decided by its range of polar angles. A whole patch
+// needs no look at its points, one that has vanished has no moments; only a fading patch is visited, several points at
+// a time.
+#pragma once
+
+#include <algorithm>
+
+#include "uhas/runtime/cascade/plane_deformation.hpp"
+#include "uhas/runtime/cascade/solver_model.hpp"
+
+namespace uhas {
+
+/// Where fading begins and ends (displacements, radii); `hard` drops at the end and fades nowhere.
+inline constexpr double kFadeBegins = -0.5, kFadeEnds = -1.0;
+
+/// What closing leaves of a point: 1 or 0 for `hard`, else smoothstep between the bounds above. At the anchored pole
+/// the displacement of the first driving vector counts for `fade`: it must not keep a root open.
+template <class Num>
+Num open_share(const typename RadialProfile<Num>::At& radial, Closing closing) {
+  if (closing == Closing::hard) return select(Num(1) + radial.delta_r < Num(0), Num(0), Num(1));
+  const Num u = clamp((Num(1) + radial.past_first) * Num(2), Num(0), Num(1));
+  return u * u * (Num(3) - Num(2) * u);
+}
+
+/// Moments of a patch point by point; `Wide` takes as many at once as it has lanes.
+template <class Wide>
+PointMoments<Wide> visit_points(const PointColumns<LaneReal<Wide>>& columns, const RadialProfile<Wide>& profile,
+                                Closing closing) {
+  PointMoments<Wide> moments;
+  for (std::size_t k = 0; k < columns.length; k += LaneTraits<Wide>::width) {
+    const auto column = [&](const auto& numbers) { return load<Wide>(numbers.data() + k); };
+    const auto radial = profile.at(column(columns.phi));
+    const Wide share = column(columns.weight) * open_share<Wide>(radial, closing);
+    const Wide target = share * max(column(columns.rho) + radial.delta_r, Wide(0));
+    const Vector3<Wide> p{column(columns.p[0]), column(columns.p[1]), column(columns.p[2])};
+    const Vector3<Wide> direction{column(columns.direction[0]), column(columns.direction[1]),
+                                  column(columns.direction[2])};
+    moments.weight += share;
+    moments.p += share * p;
+    moments.add_pair(p, target * direction);
+  }
+  return moments;
+}
+
+/// One lane of a profile, in every lane of the result.
+template <class Wide, class Num>
+RadialProfile<Wide> spread_lane(const RadialProfile<Num>& profile, int l) {
+  RadialProfile<Wide> spread;
+  spread.vectors = profile.vectors;
+  for (int j = 0; j < profile.vectors; ++j) {
+    spread.phi[j] = Wide(lane(profile.phi[j], l));
+    spread.delta_r[j] = Wide(lane(profile.delta_r[j], l));
+    spread.slope[j] = Wide(lane(profile.slope[j], l));
+  }
+  return spread;
+}
+
+/// Adds the sums over the lanes of `wide` to lane `l` of `moments`.
+template <class Num, class Wide>
+void add_to_lane(const PointMoments<Wide>& wide, int l, PointMoments<Num>& moments) {
+  const auto add = [&](Num& to, const Wide& from) { set_lane(to, l, lane(to, l) + sum(from)); };
+  const auto add_vector = [&](Vector3<Num>& to, const Vector3<Wide>& from) {
+    add(to.x, from.x), add(to.y, from.y), add(to.z, from.z);
+  };
+  add(moments.weight, wide.weight);
+  add_vector(moments.p, wide.p);
+  add_vector(moments.t, wide.t);
+  for (int j = 0; j < 3; ++j) add_vector(moments.pt[j], wide.pt[j]);
+}
+
+/// Which lanes' points are all whole with targets in front of the centre, and which lanes' have all vanished.
+template <class Num>
+struct PatchState {
+  MaskOf<Num> whole, vanished;
+};
+
+template <class Num>
+PatchState<Num> classify_patch(const SolverPatch<LaneReal<Num>>& patch, const PlaneDeformation<Num>& plane,
+                               Closing closing) {
+  using Real = LaneReal<Num>;
+  const Num least_phi(patch.least_phi), greatest_phi(patch.greatest_phi);
+  // sums of great differences lose digits: driving vectors a few degrees apart are left to the points
+  constexpr Real steep = 50;
+  MaskOf<Num> summable = plane.steepest <= Num(steep);
+  if (!plane.common_angles)  // sums are looked up at one angle for all lanes
+    for (int j = 0; j < plane.vectors; ++j)
+      summable = summable & ((plane.phi[j] <= least_phi) | (plane.phi[j] >= greatest_phi));
+  if (all(plane.lowest >= Num(std::max(Real(kFadeBegins), -patch.least_rho)))) return {summable, MaskOf<Num>(false)};
+
+  const auto first = plane.at(least_phi), last = plane.at(greatest_phi);
+  Num lowest = min(first.delta_r, last.delta_r), highest = max(first.delta_r, last.delta_r);
+  Num lowest_past = min(first.past_first, last.past_first), highest_past = max(first.past_first, last.past_first);
+  for (int j = 0; j < plane.vectors; ++j) {
+    const MaskOf<Num> inside = (plane.phi[j] > least_phi) & (plane.phi[j] < greatest_phi);
+    lowest = select(inside, min(lowest, plane.delta_r[j]), lowest);
+    highest = select(inside, max(highest, plane.delta_r[j]), highest);
+    lowest_past = select(inside, min(lowest_past, plane.delta_r[j]), lowest_past);
+    highest_past = select(inside, max(highest_past, plane.delta_r[j]), highest_past);
+  }
+  const Num begins{Real(kFadeBegins)}, ends{Real(kFadeEnds)};
+  const bool hard = closing == Closing::hard;
+  const MaskOf<Num> in_front = Num(patch.least_rho) + lowest >= Num(0);
+  const MaskOf<Num> shown = hard ? lowest >= ends : lowest_past >= begins;
+  const MaskOf<Num> whole = summable & in_front & shown;
+  return {whole, hard ? highest < ends : highest_past <= ends};
+}
+
+/// Moments of all points, whole, into `moments`: targets are those at rest, and on each stretch between driving vectors
+/// (offset + slope phi) direction more.
+template <class Num>
+void sum_whole(const SolverPatch<LaneReal<Num>>& patch, const PlaneDeformation<Num>& plane,
+               PointMoments<Num>& moments) {
+  using Real = LaneReal<Num>;
+  Num slope = plane.slope[0], offset = plane.delta_r[0] - plane.slope[0] * plane.phi[0];
+  for (int j = 0; j < plane.vectors; ++j) {
+    const MaskOf<Num> passed = plane.phi[j] <= Num(patch.least_phi);
+    slope = select(passed, plane.slope_past(j), slope);
+    offset = select(passed, plane.delta_r[j] - plane.slope_past(j) * plane.phi[j], offset);
+  }
+  struct Term {
+    const TargetMoments<Real>* sums;
+    Num factor;
+  };
+  Term terms[2 + 2 * kMaxDrivingVectors];
+  terms[0] = {&patch.beyond_phi.front(), slope};
+  terms[1] = {&patch.beyond.front(), offset};
+  int count = 2;
+  // driving vectors inside the patch, at one angle in all lanes: the points beyond one see the slope change there
+  for (int j = 0; j < plane.vectors && plane.common_angles; ++j) {
+    const Real phi = lane(plane.phi[j], 0);
+    if (!(phi > patch.least_phi && phi < patch.greatest_phi)) continue;
+    std::size_t k = 0;
+    while (patch.columns.phi[k] <= phi) ++k;
+    const Num change = plane.slope_past(j) - plane.slope[j];
+    terms[count++] = {&patch.beyond_phi[k], change};
+    terms[count++] = {&patch.beyond[k], -phi * change};
+  }
+
+  const auto sum = [&](auto part) {
+    Vector3<Num> total = part(patch.rest).template cast<Num>();
+    for (int n = 0; n < count; ++n) total += terms[n].factor * part(*terms[n].sums).template cast<Num>();
+    return total;
+  };
+  moments.full_weight = moments.weight = Num(patch.rest.full_weight);
+  moments.p = patch.rest.p.template cast<Num>();
+  moments.t = sum([](const TargetMoments<Real>& sums) { return sums.t; });
+  moments.pt[0] = sum([](const TargetMoments<Real>& sums) { return sums.pt[0]; });
+  moments.pt[1] = sum([](const TargetMoments<Real>& sums) { return sums.pt[1]; });
+  moments.pt[2] = sum([](const TargetMoments<Real>& sums) { return sums.pt[2]; });
+}
+
+template <class Num>
+void keep_where(MaskOf<Num> mask, PointMoments<Num>& moments) {
+  const auto keep = [&](Num& number) { number = select(mask, number, Num(0)); };
+  const auto keep_vector = [&](Vector3<Num>& vector) { keep(vector.x), keep(vector.y), keep(vector.z); };
+  keep(moments.weight);
+  keep_vector(moments.p);
+  keep_vector(moments.t);
+  for (Vector3<Num>& column : moments.pt) keep_vector(column);
+}
+
+/// Moments of a patch, lane by lane as its plane deforms it, into `moments`.
+template <class Wide, class Num>
+void sum_patch(const SolverPatch<LaneReal<Num>>& patch, const PlaneDeformation<Num>& plane, Closing closing,
+               PointMoments<Num>& moments) {
+  const PatchState<Num> state = classify_patch(patch, plane, closing);
+  if (any(state.whole)) {
+    sum_whole(patch, plane, moments);
+    if (all(state.whole)) return;
+    keep_where<Num>(state.whole, moments);
+  } else {
+    moments = {};
+    moments.full_weight = Num(patch.rest.full_weight);
+  }
+  for (int l = 0; l < LaneTraits<Num>::width; ++l)
+    if (!lane(state.whole, l) && !lane(state.vanished, l))
+      add_to_lane(visit_points<Wide>(patch.columns, spread_lane<Wide>(plane, l), closing), l, moments);
+}
+
+}  // namespace uhas

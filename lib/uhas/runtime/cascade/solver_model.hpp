@@ -1,0 +1,185 @@
+// The constant half of the solver: a profile compiled for one number type.
+// Lengths are in sphere radii and every joint's axis is the z of its frame: both make the arithmetic of a solve
+// shorter.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "uhas/runtime/cascade/action_decoder.hpp"
+#include "uhas/kinematics/cascade_plan.hpp"
+#include "uhas/runtime/cascade_solver.hpp"
+#include "uhas/kinematics/contact.hpp"
+#include "uhas/runtime/lanes/lane_math.hpp"
+#include "uhas/runtime/cascade/moments.hpp"
+#include "uhas/runtime/cascade/plane_groups.hpp"
+
+namespace uhas {
+
+/// A joint value with what its motion needs: cosine and sine of a turn; 1 and 0 for a slide.
+template <class Num>
+struct JointValue {
+  Num q{}, cosine{1}, sine{};
+
+  template <class To>
+  JointValue<To> cast() const {
+    return {To(q), To(cosine), To(sine)};
+  }
+};
+
+template <class Real>
+struct SolverJoint {
+  bool prismatic = false;
+  int parent = -1;                      ///< -1 = S itself: roots have the palm folded in
+  RigidTransform<Real> T_parent_joint;  ///< z is the axis
+  Real unit{};                          ///< profile units of q per solver unit: r for a prismatic joint, else 1
+  Real least{}, greatest{};             ///< profile units: the limits; of a mimic follower infinite
+  JointValue<Real> lower, upper;        ///< solver units, like every joint value below
+  JointValue<Real> start;               ///< before the cascade: q_sphere, or open for what a contact is sought for
+  RigidTransform<Real> decayed_T_parent_start;  ///< the joint's frame moved by `start`, times `decay_inward` of the first pass
+  Real q_closed{};
+  JointTravel<Real> travel;
+  std::array<Real, kLeadInputs> lead{};  ///< rad a radius: how far the first fit goes ahead for the joints further out
+  int master = -1;
+  Real multiplier{1}, offset{};
+
+  /// Factor on the moments that go from the joint to its parent: one unknown more between.
+  template <class Num>
+  Num decay_inward(Num decay) const {
+    return master < 0 ? decay : Num(1);
+  }
+
+  template <class Num>
+  JointValue<Num> value(Num q) const {
+    if (prismatic) return {q, Num(1), Num(0)};
+    const SinCos<Num> turn = sincos(q);
+    return {q, turn.cosine, turn.sine};
+  }
+
+  /// `q` in profile units, which for a turn are those of the solver: the product may round past a limit, the result is never
+  /// beyond it.
+  template <class Num>
+  Num in_profile_units(Num q) const {
+    return prismatic ? clamp(q * Num(unit), Num(least), Num(greatest)) : q;
+  }
+
+  /// Frame F of the joint, moved by `value`: a turn about, or a shift along, its z.
+  template <class Num>
+  RigidTransform<Num> moved(const RigidTransform<Num>& F, const JointValue<Num>& value) const {
+    const Vector3<Num> x = F.rotation.column(0), y = F.rotation.column(1), z = F.rotation.column(2);
+    if (prismatic) return {F.rotation, F.translation + value.q * z};
+    return {Rotation<Num>::from_columns(value.cosine * x + value.sine * y, value.cosine * y - value.sine * x, z), F.translation};
+  }
+};
+
+/// A surface point of a finger.
+template <class Real>
+struct SolverPoint {
+  int joint{};
+  int finger{};
+  Vector3<Real> p;          ///< in the joint's moved frame
+  Vector3<Real> direction;  ///< of the material point on the sphere, unit, in S
+  Real rho{}, phi{}, weight{};
+  int plane_before{}, plane_after{};  ///< groups of planes on either side, for the interpolated field
+  Real blend{};                       ///< 0 at plane_before, 1 at plane_after
+};
+
+/// The points of a patch column by column, as lanes read them; filled up with points of no weight.
+template <class Real>
+struct PointColumns {
+  static constexpr std::size_t kWidest = 8;  ///< lengths are multiples of this
+
+  std::size_t length{};
+  std::vector<Real> phi, rho, weight;
+  std::array<std::vector<Real>, 3> p, direction;
+};
+
+/// The points of one finger on one joint: [first, last), by polar angle. Where no point fades, targets are linear in
+/// the displacement, which is linear in phi between driving vectors: two sets of sums take the place of the points.
+template <class Real>
+struct SolverPatch {
+  int joint{}, finger{};
+  std::size_t first{}, last{};
+  bool first_of_joint{};                         ///< of the joint's patches, in the order of `patches_of_finger`
+  Real least_phi{}, greatest_phi{}, least_rho{};
+  PointMoments<Real> rest;                       ///< undeformed
+  std::vector<TargetMoments<Real>> beyond;       ///< [point] of this and all later points, targets `direction`
+  std::vector<TargetMoments<Real>> beyond_phi;   ///< [point] of this and all later points, targets phi `direction`
+  PointColumns<Real> columns;
+};
+
+template <class Real>
+struct SolverLateral {
+  int joint{}, finger{};
+  Real lower{}, upper{};
+  std::vector<Real> inverse_q;
+};
+
+/// A joint of a part of the tree; `inner` says that its parent belongs to that part too and moves with a step, so that
+/// the parent carries its points.
+struct ScopedJoint {
+  int joint;
+  bool inner;
+};
+
+/// A step of the cascade and the joints whose frames depend on it.
+struct SolverStep : CascadeStep {
+  int first_finger{};                       ///< of `fingers`
+  bool single{};                            ///< one joint, without followers
+  std::vector<std::pair<int, int>> nested;  ///< driven turning joints of which the first carries the second
+  std::vector<ScopedJoint> scope;  ///< driven joints and all joints further out, in tree order
+};
+
+/// A part of the hand that no other part moves: a finger, or fingers that share a joint. Parts are solved one after the
+/// other, so that the memory one needs stays near.
+struct SolverPart {
+  std::vector<ScopedJoint> tree;      ///< its joints, in tree order
+  std::vector<int> fingers;
+  std::vector<int> laterals;          ///< indices into `SolverModel::laterals`
+  std::vector<int> lateral_followers; ///< joints that mimic one of these
+  std::vector<int> steps;             ///< indices into `SolverModel::steps`, in solving order
+};
+
+/// One sweep over a part.
+template <class Real>
+struct SolverPass {
+  Real decay;  ///< factor on a point's weight for each unknown between it and a joint
+  bool first;  ///< the joints further out stand at their start: a fit leads
+};
+
+/// Share of the points' own weight that holds a joint at its present value (cascade_kernel.hpp).
+inline constexpr double kHold = 0.5;
+
+template <class Real>
+struct SolverModel {
+  SolverModel(const HandProfile& profile, const SolveOptions& solve_options);
+
+  SolveOptions options;
+  ActionDecoder<Real> decoder;
+  Real azimuth_sign{1};                        ///< -1 on a mirrored hand: azimuth = sign * canonical azimuth
+  std::vector<SolverJoint<Real>> joints;
+  std::vector<SolverPoint<Real>> points;       ///< sorted by patch
+  std::vector<SolverPatch<Real>> patches;
+  std::vector<std::vector<int>> patches_of_finger;  ///< [finger] indices into `patches`, of those that a step moves
+  std::vector<SolverLateral<Real>> laterals;
+  std::vector<SolverStep> steps;
+  std::vector<SolverPart> parts;
+  std::vector<SolverPass<Real>> passes;
+  std::vector<int> step_at;                    ///< [joint] the step solved when the sweep reaches the joint; -1 = none
+  std::vector<int> tip_joint;                  ///< [finger]
+  std::vector<Vector3<Real>> p_tip;            ///< [finger] in the tip joint's moved frame
+  PlaneGroups plane_groups;
+  std::vector<int> group_of_finger;            ///< [finger] index into `plane_groups`
+};
+
+/// Throws Error: invalid_profile for a profile that `validate_profile` refuses, invalid_action for passes or numbers of
+/// the convention out of range.
+template <class Real>
+std::shared_ptr<const SolverModel<Real>> compile_solver_model(const HandProfile& profile, const SolveOptions& options);
+
+extern template struct SolverModel<float>;
+extern template struct SolverModel<double>;
+
+}  // namespace uhas

@@ -1,0 +1,138 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "uhas/runtime/encoding/damped_least_squares.hpp"
+#include "uhas/runtime/encoding/encoder_model.hpp"
+#include "uhas/kinematics/forward_kinematics.hpp"
+#include "uhas/kinematics/lateral_lookup.hpp"
+
+namespace uhas {
+namespace {
+
+bool contains(const std::vector<int>& list, int value) {
+  return std::find(list.begin(), list.end(), value) != list.end();
+}
+
+void add_new(std::vector<int>& list, int value) {
+  if (!contains(list, value)) list.push_back(value);
+}
+
+/// The independent joints that move `finger`.
+std::vector<int> independent_joints(const HandProfile& profile, const ProfileFinger& finger) {
+  std::vector<int> joints;
+  for (int joint : finger.joints) {
+    const int master = profile.tree.joints[joint].mimic_master;
+    add_new(joints, master < 0 ? joint : master);
+  }
+  return joints;
+}
+
+/// Fingers that share a joint stand in one group; in the reading `field` all do, for each point follows two planes.
+std::vector<FingerGroup> group_fingers(const HandProfile& profile, FieldReading field, int vectors) {
+  std::vector<FingerGroup> groups;
+  for (int f = 0; f < static_cast<int>(profile.fingers.size()); ++f) {
+    FingerGroup group{.fingers = {f}, .joints = independent_joints(profile, profile.fingers[f]), .unknowns = {}};
+    const auto is_apart = [&](const FingerGroup& other) {
+      return field == FieldReading::finger &&
+             std::none_of(other.joints.begin(), other.joints.end(), [&](int j) { return contains(group.joints, j); });
+    };
+    const auto joined = std::stable_partition(groups.begin(), groups.end(), is_apart);
+    for (auto other = joined; other != groups.end(); ++other) {
+      group.fingers.insert(group.fingers.end(), other->fingers.begin(), other->fingers.end());
+      for (int joint : other->joints) add_new(group.joints, joint);
+    }
+    groups.erase(joined, groups.end());
+    groups.push_back(group);
+  }
+  for (FingerGroup& group : groups) {
+    for (int f : group.fingers)
+      for (int j = 1; j <= vectors; ++j) group.unknowns.push_back({f, j});
+    group.displacements = static_cast<int>(group.unknowns.size());
+    for (int f : group.fingers)
+      if (profile.fingers[f].lateral_table >= 0) group.unknowns.push_back({f, 0});
+  }
+  return groups;
+}
+
+/// Hat functions of V driving vectors at phi_j = pi j / (V + 1): all 0 at the anchored pole, constant beyond the last.
+std::array<double, kMaxDrivingVectors> hats_at(double phi, int vectors) {
+  const double position = std::min(phi * (vectors + 1) / std::numbers::pi, double(vectors));  // j at driving vector j
+  std::array<double, kMaxDrivingVectors> hat{};
+  for (int j = 1; j <= vectors; ++j) hat[j - 1] = std::max(1 - std::abs(position - j), 0.0);
+  return hat;
+}
+
+EncoderFinger compile_finger(const HandProfile& profile, const ProfileFinger& finger, int vectors) {
+  EncoderFinger compiled{.slots = finger.slots, .lateral_table = finger.lateral_table, .points = {}};
+  for (int j = 1; j <= vectors; ++j) compiled.lower[j] = -kRadialBound, compiled.upper[j] = kRadialBound;
+  if (finger.lateral_table >= 0) {
+    const LateralTable& table = profile.lateral_tables[finger.lateral_table];
+    compiled.lower[0] = table.delta_theta_lower, compiled.upper[0] = table.delta_theta_upper;
+  }
+  for (const Correspondence& c : profile.correspondences) {
+    const ProfileLink& link = profile.links[c.link];
+    if (c.weight <= 0 || !contains(finger.joints, link.joint)) continue;
+    compiled.points.push_back({.joint = link.joint,
+                               .p_joint = link.T_joint_link * c.p_link,
+                               .rho = c.rho,
+                               .weight = c.weight,
+                               .hat = hats_at(c.phi, vectors)});
+  }
+  return compiled;
+}
+
+}  // namespace
+
+EncoderModel::EncoderModel(const HandProfile& profile, const SolveOptions& options, int vectors)
+    : driving_vectors(vectors),
+      radius(profile.radius),
+      center_palm(profile.T_palm_sphere.translation),
+      tree(profile.tree),
+      lateral_tables(profile.lateral_tables),
+      groups(group_fingers(profile, options.field, vectors)) {
+  for (const Joint& joint : tree.joints) unit.push_back(joint.kind == JointKind::prismatic ? radius : 1.0);
+  for (const ProfileFinger& finger : profile.fingers) fingers.push_back(compile_finger(profile, finger, vectors));
+}
+
+void EncoderModel::start(std::span<const double> q, std::span<RigidTransformd> T_palm_joint,
+                         std::span<FingerAction> actions) const noexcept {
+  forward_kinematics(tree, q, T_palm_joint);
+  for (std::size_t f = 0; f < fingers.size(); ++f) {
+    const EncoderFinger& finger = fingers[f];
+    DampedLeastSquares<kMaxDrivingVectors> displacements(driving_vectors);
+    double total_weight = 0;
+    for (const EncoderPoint& point : finger.points) {
+      const double distance = norm(T_palm_joint[point.joint] * point.p_joint - center_palm) / radius;
+      displacements.add(point.hat, distance - point.rho, point.weight);
+      total_weight += point.weight;
+    }
+    // the damping decides only where no point feels a driving vector: it stays at rest
+    constexpr double damping = 1e-3;
+    const auto delta_r = displacements.solve(damping * std::max(total_weight, 1.0));
+
+    FingerAction& action = actions[f];
+    action = {};
+    for (int j = 1; j <= driving_vectors; ++j) action[j] = std::clamp(delta_r[j - 1], finger.lower[j], finger.upper[j]);
+    if (finger.lateral_table < 0) continue;
+    const LateralTable& table = lateral_tables[finger.lateral_table];
+    action[0] =
+        look_up_delta_theta<double>(table.inverse_q, table.delta_theta_lower, table.delta_theta_upper, q[table.joint]);
+  }
+}
+
+HandProfile with_wider_limits(HandProfile profile) {
+  constexpr double widening = 0.7;  // rad, or sphere radii for a sliding joint
+  for (std::size_t i = 0; i < profile.tree.joints.size(); ++i) {
+    if (profile.joint_traits[i].joint_class != JointClass::encompassing) continue;
+    Joint& joint = profile.tree.joints[i];
+    const double free_arc = std::max(2 * std::numbers::pi - (joint.upper - joint.lower), 0.0);
+    const double wider =
+        joint.kind == JointKind::prismatic ? widening * profile.radius : std::min(widening, free_arc / 2);
+    joint.lower -= wider;
+    joint.upper += wider;
+  }
+  return profile;
+}
+
+}  // namespace uhas

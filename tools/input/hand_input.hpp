@@ -1,0 +1,34 @@
+// The options of every tool that starts from a URDF, and the stages run with them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "command_line/tool.hpp"
+#include "uhas/profile_builder/build_profile.hpp"
+
+namespace uhas::tools {
+
+struct HandInput {
+  std::string urdf;
+  std::string config_file;  ///< hand config; empty = infer everything
+  std::uint64_t max_config_bytes = kMaxHandConfigBytes;
+  BuildSettings settings;
+};
+
+/// hand.urdf, --config and its bound, those of `add_load_options`, --geometry, --radius-scale, --merge-pinky.
+void add_hand_options(CLI::App& app, HandInput& input);
+
+/// --package NAME=DIR, repeatable, --allow-outside, and the bounds of LoadOptions.
+void add_load_options(CLI::App& app, LoadOptions& load);
+
+/// --lateral-steps N.
+void add_lateral_options(CLI::App& app, LateralTableOptions& options);
+
+/// --samples N and --points-per-link N.
+void add_surface_options(CLI::App& app, CorrespondenceOptions& options);
+
+/// Reads the hand config and runs the stages up to `last`, with progress and warnings on stderr.
+BuildStages run_stages(const Tool& tool, HandInput& input, Stage last);
+
+}  // namespace uhas::tools

@@ -1,0 +1,11 @@
+#include "input/profile_input.hpp"
+
+#include "uhas/profile_io/read_profile.hpp"
+
+namespace uhas::tools {
+
+HandProfile read_profile(const Tool& tool, const std::string& path) {
+  return read_untrusted_profile(path, tool.child_limits());
+}
+
+}  // namespace uhas::tools

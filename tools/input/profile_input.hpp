@@ -1,0 +1,14 @@
+// Hand profiles as the tools read them.
+#pragma once
+
+#include <string>
+
+#include "command_line/tool.hpp"
+#include "uhas/profile/hand_profile.hpp"
+
+namespace uhas::tools {
+
+/// As `read_untrusted_profile`, under the tool's limits.
+HandProfile read_profile(const Tool& tool, const std::string& path);
+
+}  // namespace uhas::tools

@@ -1,0 +1,104 @@
+#include "json/json_text.hpp"
+
+#include <algorithm>
+
+#include "uhas/base/errors.hpp"
+#include "uhas/files/file_bytes.hpp"
+
+namespace uhas::tools {
+namespace {
+
+constexpr std::size_t kLineWidth = 110;
+constexpr int kMaxDepth = 16;
+
+std::string dump(const Json& value) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+bool is_flat(const Json& value) {
+  return std::ranges::none_of(value, [](const Json& element) { return element.is_structured(); });
+}
+
+/// `value` in one line, with a space after each comma and colon.
+std::string one_line(const Json& value) {
+  if (!value.is_structured()) return dump(value);
+  std::string text;
+  for (const auto& [key, element] : value.items()) {
+    if (!text.empty()) text += ", ";
+    if (value.is_object()) text += dump(key) + ": ";
+    text += one_line(element);
+  }
+  return value.is_object() ? "{" + text + "}" : "[" + text + "]";
+}
+
+/// Appends `value` in one line when it fits or is a list of numbers or words, else one element a line. `split` demands
+/// the latter, for the document as a whole.
+void append(const Json& value, std::size_t indent, bool split, std::string& out) {
+  if (!split) {
+    const std::string line = one_line(value);
+    if (indent + line.size() <= kLineWidth || (!value.is_object() && is_flat(value))) {
+      out += line;
+      return;
+    }
+  }
+  const std::string margin(indent + 2, ' ');
+  const char* separator = "\n";
+  out += value.is_object() ? "{" : "[";
+  for (const auto& [key, element] : value.items()) {
+    out += separator + margin;
+    if (value.is_object()) out += dump(key) + ": ";
+    append(element, indent + 2, false, out);
+    separator = ",\n";
+  }
+  out += "\n" + std::string(indent, ' ') + (value.is_object() ? "}" : "]");
+}
+
+/// The part of nlohmann's message that says what is wrong, without the exception's name and the place.
+std::string problem_of(const nlohmann::json::exception& error) {
+  const std::string text = error.what();
+  const std::size_t place = text.find("column ");
+  const std::size_t start = place == std::string::npos ? text.find("] ") : text.find(": ", place);
+  return start == std::string::npos ? text : text.substr(start + 2);
+}
+
+}  // namespace
+
+Json new_document(const std::string& format) { return {{"format", format}, {"version", kJsonVersion}}; }
+
+Json to_json(Vector3d v) { return {v.x, v.y, v.z}; }
+
+Json to_json(const Rotationd& R) {
+  return {{R.m[0], R.m[1], R.m[2]}, {R.m[3], R.m[4], R.m[5]}, {R.m[6], R.m[7], R.m[8]}};
+}
+
+std::string to_text(const Json& document) {
+  std::string text;
+  append(document, 0, true, text);
+  return text + "\n";
+}
+
+std::string to_line(const Json& document) { return dump(document) + "\n"; }
+
+Json parse_json(std::string_view text, const std::string& file) {
+  const auto bound_depth = [&](int depth, Json::parse_event_t, Json&) {
+    if (depth > kMaxDepth)
+      throw Error(ErrorCode::syntax, file, "nested more than " + std::to_string(kMaxDepth) + " levels deep",
+                  "use fewer levels");
+    return true;
+  };
+  try {
+    return Json::parse(text, bound_depth);
+  } catch (const nlohmann::json::parse_error& error) {
+    const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
+    const auto line = 1 + std::count(text.begin(), end, '\n');
+    throw Error(ErrorCode::syntax, file.empty() ? "" : file + ":" + std::to_string(line),
+                "not JSON: " + problem_of(error), "correct the syntax");
+  } catch (const nlohmann::json::exception& error) {  // a number beyond the range of double
+    throw Error(ErrorCode::syntax, file, problem_of(error), "write numbers within the range of double");
+  }
+}
+
+Json read_json_file(const std::string& path, std::uint64_t max_bytes) {
+  const std::vector<std::byte> bytes = read_file(path, max_bytes, "split it, or raise the bound by --max-json-bytes");
+  return parse_json({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path);
+}
+
+}  // namespace uhas::tools

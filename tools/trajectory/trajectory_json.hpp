@@ -1,0 +1,33 @@
+// Trajectories as JSON and JSON Lines, and the lines that the latter is made of.
+#pragma once
+
+#include <optional>
+
+#include "json/json_text.hpp"
+#include "trajectory/trajectory.hpp"
+
+namespace uhas::tools {
+
+std::unique_ptr<TrajectoryReader> open_json_trajectory(const std::string& path, std::uint64_t max_bytes);
+std::unique_ptr<TrajectoryReader> open_json_lines_trajectory(const std::string& path);
+std::unique_ptr<TrajectoryWriter> create_json_trajectory(const std::string& path, const TrajectoryHeader& header);
+std::unique_ptr<TrajectoryWriter> create_json_lines_trajectory(const std::string& path, const TrajectoryHeader& header);
+
+/// {"format": "uhas-trajectory", "version": 1, "hand": ..., "joint_names": [...]}: a document without its frames, or
+/// the first of its lines.
+Json to_json(const TrajectoryHeader& header);
+
+/// The header that `value` is; nothing when it is no object with "format" or "joint_names". Throws Error: syntax,
+/// unsupported_version in the name of `place`.
+std::optional<TrajectoryHeader> header_of(const Json& value, const std::string& place);
+
+/// A frame: [q, ...] or {"q": [q, ...]}; other keys are passed over. Throws Error(syntax) in the name of `place`.
+std::vector<double> frame_of(const Json& value, std::size_t joints, const std::string& place);
+
+/// {"q": [...], "residual_max": ..., "residual_rms": ...}
+Json to_json(std::span<const double> q, const EncodeReport& report);
+
+/// {"frames": ..., "off_manifold": ..., ...}
+Json to_json(const TrajectorySummary& summary);
+
+}  // namespace uhas::tools

@@ -19,6 +19,7 @@ uhas_test_packages=(
   doctest-dev mandoc pkg-config
   zsh fish                                               # run the completions
   dpkg-dev doxygen                                       # Debian packages, API reference
+  clang-format-14                                        # the layout of the sources
   strace                                                 # what the tools ask of the system
   liborocos-kdl-dev                                      # independent kinematics
   libnlopt-cxx-dev libnlopt-dev                          # independent optimiser

@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <iostream>
 
-#include "tables/findings.hpp"
-#include "tables/hand_explanation.hpp"
 #include "input/hand_input.hpp"
 #include "json/profile_summary.hpp"
+#include "tables/findings.hpp"
+#include "tables/hand_explanation.hpp"
 #include "uhas/profile_io/write_profile.hpp"
 
 using namespace uhas;

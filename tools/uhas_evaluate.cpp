@@ -3,11 +3,11 @@
 #include <iostream>
 #include <thread>
 
-#include "json/evaluation_report.hpp"
+#include "command_line/tool.hpp"
 #include "input/model_input.hpp"
 #include "input/profile_input.hpp"
+#include "json/evaluation_report.hpp"
 #include "output/report_page.hpp"
-#include "command_line/tool.hpp"
 #include "uhas/files/file_bytes.hpp"
 
 using namespace uhas;

@@ -1,8 +1,8 @@
 // uhas-explain-hand: what is inferred of a hand, how surely, and why.
 #include <iostream>
 
-#include "tables/hand_explanation.hpp"
 #include "input/hand_input.hpp"
+#include "tables/hand_explanation.hpp"
 
 using namespace uhas;
 using namespace uhas::tools;

@@ -2,12 +2,12 @@
 #include <algorithm>
 #include <iostream>
 
-#include "tables/findings.hpp"
-#include "json/json_value.hpp"
-#include "output/pictures.hpp"
-#include "tables/profile_check.hpp"
 #include "input/profile_input.hpp"
+#include "json/json_value.hpp"
 #include "json/profile_summary.hpp"
+#include "output/pictures.hpp"
+#include "tables/findings.hpp"
+#include "tables/profile_check.hpp"
 #include "tables/table.hpp"
 #include "uhas/profile_io/reseal_profile.hpp"
 

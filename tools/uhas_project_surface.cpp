@@ -2,8 +2,8 @@
 #include <iostream>
 
 #include "input/hand_input.hpp"
-#include "output/output.hpp"
 #include "json/stage_json.hpp"
+#include "output/output.hpp"
 #include "tables/table.hpp"
 
 using namespace uhas;

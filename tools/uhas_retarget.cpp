@@ -1,13 +1,13 @@
 // uhas-retarget: a trajectory of one hand becomes one of another.
 #include <iostream>
 
-#include "input/joint_order.hpp"
-#include "json/json_lines.hpp"
 #include "command_line/limits.hpp"
-#include "input/profile_input.hpp"
 #include "command_line/progress.hpp"
-#include "tables/table.hpp"
 #include "command_line/tool.hpp"
+#include "input/joint_order.hpp"
+#include "input/profile_input.hpp"
+#include "json/json_lines.hpp"
+#include "tables/table.hpp"
 #include "trajectory/trajectory_json.hpp"
 #include "uhas/runtime/retarget.hpp"
 
@@ -39,7 +39,8 @@ void add_options(CLI::App& app, Options& options) {
       ->check(CLI::Range(1, kMaxDrivingVectors).description(""))
       ->type_name("N");
   add_limit(app, "--max-json-bytes", options.limits.max_json_bytes, "Refuse a larger trajectory in .json");
-  add_limit(app, "--max-hdf5-bytes", options.limits.max_hdf5_bytes, "Refuse an HDF5 trajectory of more bytes, unpacked");
+  add_limit(app, "--max-hdf5-bytes", options.limits.max_hdf5_bytes,
+            "Refuse an HDF5 trajectory of more bytes, unpacked");
 }
 
 /// Two hands and what lies between them.
@@ -122,7 +123,8 @@ ExitCode retarget_file(const Tool& tool, const Options& options) {
       options.output.empty() ? trajectory_kind(options.trajectory) : trajectory_kind(options.output);
   const bool binary_to_stdout = options.output.empty() && kind == TrajectoryKind::hdf5;
   Retargeting run(tool, options);
-  const std::unique_ptr<TrajectoryReader> reader = open_trajectory(options.trajectory, options.limits, tool.child_limits());
+  const std::unique_ptr<TrajectoryReader> reader =
+      open_trajectory(options.trajectory, options.limits, tool.child_limits());
   run.order = JointOrder(run.from, reader->header().joint_names, options.trajectory);
   warn_of_other_hand(tool, reader->header().hand, run.from);
   const std::unique_ptr<TrajectoryWriter> writer =

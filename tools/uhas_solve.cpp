@@ -2,14 +2,14 @@
 #include <iostream>
 #include <optional>
 
-#include "input/actions.hpp"
-#include "json/json_lines.hpp"
 #include "command_line/limits.hpp"
-#include "output/output.hpp"
+#include "command_line/tool.hpp"
+#include "input/actions.hpp"
 #include "input/profile_input.hpp"
+#include "json/json_lines.hpp"
+#include "output/output.hpp"
 #include "output/report_page.hpp"
 #include "output/solution.hpp"
-#include "command_line/tool.hpp"
 #include "uhas/files/file_bytes.hpp"
 
 using namespace uhas;

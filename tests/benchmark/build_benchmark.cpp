@@ -5,11 +5,11 @@
 #include <span>
 
 #include "build_measurement.hpp"
-#include "tables/table.hpp"
 #include "command_line/tool.hpp"
 #include "hand_case.hpp"
 #include "judgement.hpp"
 #include "machine.hpp"
+#include "tables/table.hpp"
 
 using namespace uhas;
 using namespace uhas::benchmark;
@@ -52,8 +52,8 @@ std::vector<Judgement> hold_against_requirements(const std::vector<Group>& group
     double build = 0, assimp = 0;
     for (const BuildMeasurement& hand : group.hands) {
       build += hand.build.median, assimp += hand.assimp.median;
-      // the bound differs from hand to hand: 3 (aim 1.5) times the meshes and 100 (50) MB; the hand nearest to it
-      // counts
+      // the bound differs from hand to hand: 3 (aim 1.5) times the meshes and 100 (50) MB; the hand nearest
+      // to it counts
       const double meshes = double(hand.mesh_memory) / megabyte, peak = double(hand.peak_memory) / megabyte;
       if (!memory || peak - 3 * meshes - 100 > memory->value - memory->must)
         memory = {"peak memory of a build, MB", true, 3 * meshes + 100, 1.5 * meshes + 50, peak, hand.hand};

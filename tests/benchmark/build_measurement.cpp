@@ -19,7 +19,7 @@ namespace {
 std::size_t build(const std::filesystem::path& urdf, const StageListener& listener) {
   const HandProfile profile = build_profile(urdf.string(), {}, listener);
   listener("writing the profile");
-  const std::size_t bytes = detail::image_of_profile(profile, "").size();
+  const std::size_t bytes = image_of_profile(profile, "").size();
   listener("");
   return bytes;
 }
@@ -94,7 +94,7 @@ std::vector<BuildMeasurement> measure_builds(const std::vector<std::filesystem::
     measurements[i].mesh_memory = mesh_memory(model);
     for (const SourceFile& source : model.sources) {
       if (&source == &model.sources.front()) continue;  // the URDF
-      const auto file = detail::find_mesh(source.name, urdfs[i].parent_path(), {}, urdfs[i]);
+      const auto file = find_mesh(source.name, urdfs[i].parent_path(), {}, urdfs[i]);
       samples[i].meshes.push_back(file);
       measurements[i].mesh_file_bytes += file_size(file);
     }

@@ -17,8 +17,8 @@ Vector3d solve_symmetric(const std::array<double, 6>& a, Vector3d b) {
          Vector3d{c0 * b.x + c1 * b.y + c2 * b.z, c1 * b.x + c3 * b.y + c4 * b.z, c2 * b.x + c4 * b.y + c5 * b.z};
 }
 
-/// The step J^T (J J^T + damping)^-1 error of the unknowns that are free: three equations, however many joints there
-/// are.
+/// The step J^T (J J^T + damping)^-1 error of the unknowns that are free: three equations, however many
+/// joints there are.
 Vector3d damped_error(const Jacobian& J, const std::array<bool, kMostUnknowns>& free, std::size_t unknowns,
                       Vector3d error) {
   // damping that falls with the squared error keeps steps short far away and quadratic convergence near the target

@@ -13,8 +13,8 @@ class FingertipIkPeer {
  public:
   explicit FingertipIkPeer(const HandProfile& profile);
 
-  /// Turns each finger within its limits so that its tip comes to the target, to 0.1 mm, or as near as 50 steps from the
-  /// last answer and 50 from the middle of the limits take it.
+  /// Turns each finger within its limits so that its tip comes to the target, to 0.1 mm, or as near as 50 steps from
+  /// the last answer and 50 from the middle of the limits take it.
   /// @param targets  [fingers][3] m, palm frame
   /// @param q        [joints] in the profile's order: the last answer in, the answer out; followers are left alone
   void reach(std::span<const double> targets, std::span<double> q) const;

@@ -1,5 +1,5 @@
-// The fingers in KDL (Orocos): forward kinematics of each fingertip's chain, and Levenberg-Marquardt from the last
-// answer.
+// The fingers in KDL (Orocos): forward kinematics of each fingertip's chain, and Levenberg-Marquardt from
+// the last answer.
 #pragma once
 
 #include <kdl/chainfksolverpos_recursive.hpp>

@@ -1,5 +1,5 @@
-// Measuring work against work: everything in one run, a sample of each in turn, so that a drift of the machine hits
-// all.
+// Measuring work against work: everything in one run, a sample of each in turn, so that a drift of the
+// machine hits all.
 #pragma once
 
 #include <chrono>

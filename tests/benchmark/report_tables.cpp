@@ -1,7 +1,7 @@
 #include <ostream>
 
-#include "tables/table.hpp"
 #include "report.hpp"
+#include "tables/table.hpp"
 
 namespace uhas::benchmark {
 namespace {

@@ -7,11 +7,11 @@
 #include <stdexcept>
 
 #include "runtime_works.hpp"
+#include "uhas/kinematics/forward_kinematics.hpp"
 #include "uhas/profile_builder/build_profile.hpp"
 #include "uhas/runtime/cascade_solver.hpp"
 #include "uhas/runtime/encoder.hpp"
 #include "uhas/runtime/fingertip_kinematics.hpp"
-#include "uhas/kinematics/forward_kinematics.hpp"
 #include "uhas/runtime/observation.hpp"
 
 namespace uhas::benchmark {

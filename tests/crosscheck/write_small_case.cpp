@@ -34,9 +34,9 @@ struct Deformation {
   double delta_theta = 0, delta_r = 0;
 };
 
-/// Residual of q_sphere, where every point is at its rest coordinates: a point of radius rho and a target of radius t
-/// at the same polar angle, turned by delta theta, are sqrt((rho - t)^2 + 4 rho t sin^2(phi) sin^2(delta theta / 2))
-/// apart.
+/// Residual of q_sphere, where every point is at its rest coordinates: a point of radius rho and a target of
+/// radius t at the same polar angle, turned by delta theta, are sqrt((rho - t)^2 + 4 rho t sin^2(phi) sin^2(delta
+/// theta / 2)) apart.
 double residual_at_q_sphere(const HandProfile& profile, Deformation index, Deformation thumb) {
   constexpr double phi_1 = std::numbers::pi / 3;
   double error_sum = 0, weight_sum = 0;

@@ -3,8 +3,8 @@
 
 #include <sstream>
 
-#include "json/json_lines.hpp"
 #include "fuzz_file.hpp"
+#include "json/json_lines.hpp"
 #include "support/small_profile.hpp"
 
 using namespace uhas;

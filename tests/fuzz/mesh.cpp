@@ -1,6 +1,6 @@
 // A mesh file: its first byte chooses the type, the rest is the content. Triangles that are sound, or an Error. A child
-// process reads it first, as in the tools: what brings assimp down ends there. The rest is read here too, where the fuzzer
-// sees what it reaches.
+// process reads it first, as in the tools: what brings assimp down ends there. The rest is read here too, where the
+// fuzzer sees what it reaches.
 #include <array>
 #include <cmath>
 #include <span>
@@ -26,10 +26,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   in_child.in_child = {.max_memory_bytes = 1u << 30, .max_seconds = 10};
   TriangleMesh mesh;
   const auto read = [&](const LoadOptions& options) {
-    const detail::MeshFolders folders(path, options);
-    detail::SourceLog sources(std::filesystem::path(path).parent_path());
-    const detail::MeshFile file{path, name};
-    mesh = std::move(detail::read_meshes(std::span(&file, 1), options, folders, sources).front());
+    const MeshFolders folders(path, options);
+    SourceLog sources(std::filesystem::path(path).parent_path());
+    const MeshFile file{path, name};
+    mesh = std::move(read_meshes(std::span(&file, 1), options, folders, sources).front());
   };
   bool accepted_there = false;
   try {

@@ -18,7 +18,7 @@ struct Extent {
 
 /// The file of `small_profile`.
 inline const std::vector<std::byte>& sound_image() {
-  static const std::vector<std::byte> image = detail::image_of_profile(small_profile(), "hand.h5");
+  static const std::vector<std::byte> image = image_of_profile(small_profile(), "hand.h5");
   return image;
 }
 
@@ -30,7 +30,8 @@ inline std::vector<std::byte> edited_image(std::span<const Extent> extents, Fuzz
     const auto offset = input.ConsumeIntegralInRange<std::size_t>(0, extent.size - 1);
     const std::size_t length = std::min(extent.size - offset, input.ConsumeIntegralInRange<std::size_t>(1, 8));
     const auto bytes = input.ConsumeBytes<std::uint8_t>(length);
-    std::ranges::copy(std::as_bytes(std::span(bytes)), image.begin() + static_cast<std::ptrdiff_t>(extent.start + offset));
+    std::ranges::copy(std::as_bytes(std::span(bytes)),
+                      image.begin() + static_cast<std::ptrdiff_t>(extent.start + offset));
   }
   return image;
 }

@@ -64,9 +64,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   FuzzedDataProvider input(data, size);
   const std::vector<std::byte> image = edited_image(extents, input);
   HandProfile profile;
-  if (accepted([&] {
-        profile = detail::profile_of_image(image, {kProfileVersionMajor, kProfileVersionMinor}, "hand.h5");
-      }))
+  if (accepted([&] { profile = profile_of_image(image, {kProfileVersionMajor, kProfileVersionMinor}, "hand.h5"); }))
     use(profile);
   return 0;
 }

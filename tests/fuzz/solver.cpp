@@ -1,5 +1,5 @@
-// Any numbers as an action, in every way of solving: joint angles within their limits, or a status and an untouched
-// output.
+// Any numbers as an action, in every way of solving: joint angles within their limits, or a status and
+// an untouched output.
 #include <fuzzer/FuzzedDataProvider.h>
 
 #include <algorithm>

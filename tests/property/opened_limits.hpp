@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <string>
 
-#include "uhas/profile_builder/build_profile.hpp"
 #include "uhas/kinematics/forward_kinematics.hpp"
+#include "uhas/profile_builder/build_profile.hpp"
 
 namespace uhas::test {
 
@@ -47,14 +47,15 @@ inline int check_opened_limits(const BuildStages& hand, int steps, const std::st
     Joint& joint = opened.anatomy.tree.joints[j];
     const bool free = hand.joint_classes[j].joint_class == JointClass::encompassing && joint.mimic_master < 0 &&
                       joint.kind == JointKind::revolute;
-    const bool followed = std::ranges::any_of(hand.anatomy.tree.joints, [&](const Joint& other) { return other.mimic_master == j; });
+    const bool followed =
+        std::ranges::any_of(hand.anatomy.tree.joints, [&](const Joint& other) { return other.mimic_master == j; });
     if (!free || followed || held[j]) continue;
     (closes_upward(hand, j) ? joint.upper : joint.lower) += closes_upward(hand, j) ? opened_by : -opened_by;
     opened.q_closed[j] = closes_upward(hand, j) ? joint.upper : joint.lower;
     ++count;
   }
-  const LateralTables tables =
-      build_lateral_tables(opened.anatomy, opened.sphere_frame, opened.joint_classes, opened.q_closed, {.steps = steps});
+  const LateralTables tables = build_lateral_tables(opened.anatomy, opened.sphere_frame, opened.joint_classes,
+                                                    opened.q_closed, {.steps = steps});
   CAPTURE(label);
   REQUIRE(tables.tables.size() == hand.lateral_tables.tables.size());
   for (std::size_t t = 0; t < tables.tables.size(); ++t) {

@@ -1,6 +1,6 @@
-// Random hands that know their own anatomy: nearly all are read right, and no miss is silent: the hand carries a warning
-// that names a key, or the class that is wrong has a small margin.
-// UHAS_SEEDS and UHAS_FIRST_SEED choose others; every miss prints its seed.
+// Random hands that know their own anatomy: nearly all are read right, and no miss is silent: the hand carries a
+// warning that names a key, or the class that is wrong has a small margin. UHAS_SEEDS and UHAS_FIRST_SEED choose
+// others; every miss prints its seed.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -10,8 +10,8 @@
 #include <random>
 
 #include "uhas/base/spherical.hpp"
-#include "uhas/runtime/cascade_solver.hpp"
 #include "uhas/kinematics/forward_kinematics.hpp"
+#include "uhas/runtime/cascade_solver.hpp"
 
 namespace uhas::test {
 namespace {

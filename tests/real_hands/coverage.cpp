@@ -115,8 +115,9 @@ TEST_CASE("the points of each finger's distal link are near the sphere, thumbs a
         deviation.push_back(std::abs(point.rho - 1));
     INFO("fingertip ", tip.name, ", ", deviation.size(), " points");
     REQUIRE(!deviation.empty());
-    // The tip and the last joint lie on the sphere, so a link's surface stands before it by half its thickness and the chord's
-    // sagitta. A thick finger whose plane misses the sphere's axis goes a little beyond the bound: it is listed.
+    // The tip and the last joint lie on the sphere, so a link's surface stands before it by half its thickness
+    // and the chord's sagitta. A thick finger whose plane misses the sphere's axis goes a little beyond the
+    // bound: it is listed.
     constexpr double bound = 0.15, listed_bound = 0.16;
     if (median(deviation) > bound)
       std::cout << "LISTED: " << test::real_hand().name << ' ' << tip.name << ": median |rho - 1| " << median(deviation)

@@ -9,8 +9,8 @@
 
 #include "support/kdl_tree.hpp"
 #include "support/real_hand.hpp"
-#include "uhas/model/hand_model.hpp"
 #include "uhas/kinematics/forward_kinematics.hpp"
+#include "uhas/model/hand_model.hpp"
 
 namespace {
 

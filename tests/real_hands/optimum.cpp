@@ -14,8 +14,8 @@
 #include "support/random_action.hpp"
 #include "support/real_profile.hpp"
 #include "uhas/base/spherical.hpp"
-#include "uhas/runtime/cascade_solver.hpp"
 #include "uhas/kinematics/forward_kinematics.hpp"
+#include "uhas/runtime/cascade_solver.hpp"
 
 using namespace uhas;
 using namespace uhas::test;
@@ -24,8 +24,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Fingers of one connected part of the hand and the unknowns that move them: a finger by itself unless joints are
-/// shared.
+/// Fingers of one connected part of the hand and the unknowns that move them: a finger by itself unless
+/// joints are shared.
 struct Problem {
   std::vector<int> fingers;
   std::vector<int> unknowns;  // independent encompassing joints

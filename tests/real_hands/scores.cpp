@@ -45,7 +45,8 @@ TEST_CASE("to first order one pass is the best fit") {
   // joints that lead, and that are free to: by themselves, turning, moving one finger, off their limits
   const auto leads = [&](int joint) {
     const double q = profile.joint_traits[joint].q_sphere;
-    return joints[joint].kind != JointKind::prismatic && q - joints[joint].lower > 0.05 && joints[joint].upper - q > 0.05 &&
+    return joints[joint].kind != JointKind::prismatic && q - joints[joint].lower > 0.05 &&
+           joints[joint].upper - q > 0.05 &&
            std::ranges::none_of(joints, [&](const Joint& other) { return other.mimic_master == joint; });
   };
   constexpr double small = 1e-3, of_second_order = 3e-5;  // radii, rad

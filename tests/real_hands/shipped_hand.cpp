@@ -19,7 +19,8 @@ using namespace uhas::test;
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-// The shipped numbers are the published ones. What is left: right angles that were published with five digits (0.004 deg).
+// The shipped numbers are the published ones. What is left: right angles that were published with five
+// digits (0.004 deg).
 constexpr double kAngleTolerance = 0.02 * kDegree;
 constexpr double kTipTolerance = 5e-4;  // sphere radii
 constexpr double kLimitTolerance = 1e-6;

@@ -40,7 +40,8 @@ std::vector<SolveOptions> all_options() {
 void set_radial(const ProfileFinger& finger, double delta_r, std::vector<double>& action) {
   for (int slot = 0; slot < kSlotCount; ++slot)
     if (finger.slots[slot])
-      for (int j = 0; j < kTwoVectors; ++j) action[static_cast<std::size_t>(kSlotCount + kTwoVectors * slot + j)] = delta_r;
+      for (int j = 0; j < kTwoVectors; ++j)
+        action[static_cast<std::size_t>(kSlotCount + kTwoVectors * slot + j)] = delta_r;
 }
 
 bool moves(const HandProfile& profile, const ProfileFinger& finger, int joint) {
@@ -135,7 +136,8 @@ TEST_CASE("contraction closes a finger without a jump") {
     set_radial(finger, -2.0, action);
     const std::vector<double> closed = solve(solver, action);
     for (int i : finger.joints) {
-      if (profile.joint_traits[i].joint_class != JointClass::encompassing || profile.tree.joints[i].mimic_master >= 0) continue;
+      if (profile.joint_traits[i].joint_class != JointClass::encompassing || profile.tree.joints[i].mimic_master >= 0)
+        continue;
       CAPTURE(profile.tree.joints[i].name);
       CHECK(std::abs(closed[i] - profile.joint_traits[i].q_closed) <= 1e-9);
     }
@@ -143,8 +145,9 @@ TEST_CASE("contraction closes a finger without a jump") {
     CAPTURE(who);
     CAPTURE(where);
     if (at_limit)
-      std::cout << "LISTED: " << profile.hand << ' ' << finger.name << ": q_sphere has a joint at a limit; largest step "
-                << largest << " rad of " << who << " at delta r " << where << '\n';
+      std::cout << "LISTED: " << profile.hand << ' ' << finger.name
+                << ": q_sphere has a joint at a limit; largest step " << largest << " rad of " << who << " at delta r "
+                << where << '\n';
     else
       CHECK(largest <= 0.35);
   }

@@ -40,7 +40,8 @@ TEST_CASE("classes agree with truth.json on every joint that is not ambiguous") 
   for (const auto& finger : real_hand().truth.at("fingers")) {
     for (const auto& [name, expected] : finger.at("classes").items()) {
       if (expected == "ambiguous" || finger.at("mimic").contains(name)) continue;
-      const auto joint = std::find_if(profile.tree.joints.begin(), profile.tree.joints.end(), [&](const Joint& j) { return j.name == name; });
+      const auto joint = std::find_if(profile.tree.joints.begin(), profile.tree.joints.end(),
+                                      [&](const Joint& j) { return j.name == name; });
       CAPTURE(name);
       REQUIRE(joint != profile.tree.joints.end());
       const JointTraits& traits = profile.joint_traits[joint - profile.tree.joints.begin()];
@@ -60,7 +61,8 @@ TEST_CASE("the fingertips of the wrapped hand stand near the equator") {
     const ProfileFinger& finger = profile.fingers[f];
     const Spherical<double> tip = to_spherical(fingertip_in_S(profile, finger, q_sphere(profile)));
     CAPTURE(finger.name);
-    std::cout << profile.hand << ' ' << finger.name << ": phi " << tip.polar / kDegree << " deg, radius " << tip.radius / profile.radius << '\n';
+    std::cout << profile.hand << ' ' << finger.name << ": phi " << tip.polar / kDegree << " deg, radius "
+              << tip.radius / profile.radius << '\n';
     CHECK(tip.polar == doctest::Approx(finger.tip_phi).epsilon(1e-9));
     if (static_cast<int>(f) == thumb) continue;  // reported only
     CHECK(tip.polar >= 70 * kDegree);
@@ -82,9 +84,10 @@ TEST_CASE("lateral tables: round trip, neutral bit for bit, monotone") {
     };
     CHECK(look_up(0) == profile.joint_traits[table.joint].q_sphere);
     CHECK(look_up(0) == table.neutral);
-    std::cout << profile.hand << ' ' << finger.name << ": " << profile.tree.joints[table.joint].name << " neutral " << table.neutral
-              << ", theta " << table.theta_initial / kDegree << " deg, delta theta " << table.delta_theta_lower / kDegree << " to "
-              << table.delta_theta_upper / kDegree << " deg, " << table.inverse_q.size() << " knots\n";
+    std::cout << profile.hand << ' ' << finger.name << ": " << profile.tree.joints[table.joint].name << " neutral "
+              << table.neutral << ", theta " << table.theta_initial / kDegree << " deg, delta theta "
+              << table.delta_theta_lower / kDegree << " to " << table.delta_theta_upper / kDegree << " deg, "
+              << table.inverse_q.size() << " knots\n";
     for (std::size_t i = 0; i + 1 < table.q.size(); ++i) {
       for (double share : {0.0, 0.3, 0.5, 1.0}) {
         const double q = table.q[i] + share * (table.q[i + 1] - table.q[i]);
@@ -109,7 +112,8 @@ TEST_CASE("the azimuth of the fingertip follows the table when the hand is solve
       q[table.joint] = table.q[i];
       apply_mimics(stages.anatomy.tree, q);
       wrap_on_sphere(stages.anatomy, stages.sphere_frame, stages.joint_classes, stages.q_closed, q);
-      const double azimuth = to_spherical(fingertip_in_sphere(stages.anatomy, stages.sphere_frame, static_cast<int>(f), q)).azimuth;
+      const double azimuth =
+          to_spherical(fingertip_in_sphere(stages.anatomy, stages.sphere_frame, static_cast<int>(f), q)).azimuth;
       CHECK(std::abs(wrap_angle((profile.mirrored ? -azimuth : azimuth) - table.theta[i])) < 1e-9);
     }
   }

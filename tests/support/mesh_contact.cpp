@@ -79,8 +79,8 @@ std::vector<BoxedTriangle> near_to(const PlacedMesh& mesh, const Box& box, doubl
   return result;
 }
 
-/// Calls `visit(s, t)` for triangles of `a` and `b` whose boxes come within `reach` of each other; it may lessen
-/// `reach`.
+/// Calls `visit(s, t)` for triangles of `a` and `b` whose boxes come within `reach` of each other; it
+/// may lessen `reach`.
 template <class Visit>
 void for_near_pairs(const PlacedMesh& a, const PlacedMesh& b, double& reach, const Visit& visit) {
   if (!within(a.box, b.box, reach)) return;

@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-// The palm's frame while the hand is made: normal +x, fingers along +z, the thumb's side +y; so a right hand, open at
-// zero.
+// The palm's frame while the hand is made: normal +x, fingers along +z, the thumb's side +y; so a right hand,
+// open at zero.
 constexpr Vector3d kNormal{1, 0, 0}, kForward{0, 0, 1}, kThumbSide{0, 1, 0};
 
 enum class Part { flexion, side, roll };  ///< about the axis across the finger, the closing direction, the finger's own

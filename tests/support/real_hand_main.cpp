@@ -20,7 +20,8 @@ RealHand load_real_hand() {
   hand.urdf = hand.folder / (hand.name + ".urdf");
   if (exists(hand.urdf)) return hand;
   std::ifstream file(hand.folder / "truth.json");
-  if (!file) throw std::runtime_error("UHAS_HANDS_DIR is set, but " + (hand.folder / "truth.json").string() + " cannot be read");
+  if (!file)
+    throw std::runtime_error("UHAS_HANDS_DIR is set, but " + (hand.folder / "truth.json").string() + " cannot be read");
   hand.truth = nlohmann::json::parse(file);
   hand.urdf = hand.folder / hand.truth.at("urdf").get<std::string>();
   return hand;

@@ -33,16 +33,17 @@ inline HandProfile slider_profile(const std::vector<double>& angles = {std::numb
     traits.q_open = 0.5, traits.q_closed = -0.5;
     p.joint_traits.push_back(traits);
     p.links.push_back({name, f, {}});
-    p.fingers.push_back({.name = name,
-                         .slots = f == 0 ? std::array{true, true, true, true, false} : std::array{false, false, false, false, true},
-                         .joints = {f},
-                         .tip_link = f + 1,
-                         .p_tip_link = {side, 0, 0},
-                         .pad_normal_link = {-side, 0, 0},
-                         .tip_distance = std::numbers::pi / 2,
-                         .theta_initial = theta,
-                         .tip_phi = std::numbers::pi / 2,
-                         .lateral_table = -1});
+    p.fingers.push_back(
+        {.name = name,
+         .slots = f == 0 ? std::array{true, true, true, true, false} : std::array{false, false, false, false, true},
+         .joints = {f},
+         .tip_link = f + 1,
+         .p_tip_link = {side, 0, 0},
+         .pad_normal_link = {-side, 0, 0},
+         .tip_distance = std::numbers::pi / 2,
+         .theta_initial = theta,
+         .tip_phi = std::numbers::pi / 2,
+         .lateral_table = -1});
     for (double phi : angles)
       p.correspondences.push_back({.link = f + 1,
                                    .p_link = from_spherical<double>({theta, phi, rho}),

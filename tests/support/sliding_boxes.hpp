@@ -38,8 +38,8 @@ struct SlidingBoxes {
   HandProfile profile;
   HandGeometry geometry;
 
-  /// A link that slides on joint `parent`, -1 = the palm; returns its joint. `q_rest`: its value in the three poses of
-  /// the profile.
+  /// A link that slides on joint `parent`, -1 = the palm; returns its joint. `q_rest`: its value in the three poses
+  /// of the profile.
   int add(const TriangleMesh& mesh, double q_rest, int parent = -1, double lower = -0.5, double upper = 0.5) {
     Joint joint;
     joint.name = "slide_" + std::to_string(profile.tree.joints.size());

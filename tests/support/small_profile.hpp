@@ -5,8 +5,8 @@
 #include <string>
 
 #include "uhas/base/spherical.hpp"
-#include "uhas/profile/hand_profile.hpp"
 #include "uhas/kinematics/forward_kinematics.hpp"
+#include "uhas/profile/hand_profile.hpp"
 
 namespace uhas::test {
 

@@ -1,5 +1,6 @@
-// The residual of a solution as it is stated (schemas/hand-profile-v1.md, docs/method.md), point by point and in double: from
-// profile, action and joint values, by the forward kinematics that KDL has confirmed, and by nothing of the solver.
+// The residual of a solution as it is stated (schemas/hand-profile-v1.md, docs/method.md), point by point and in
+// double: from profile, action and joint values, by the forward kinematics that KDL has confirmed, and by nothing
+// of the solver.
 #pragma once
 
 #include <vector>
@@ -8,8 +9,9 @@
 
 namespace uhas::test {
 
-/// Root mean square distances in sphere radii, NaN when no point is left. `low` and `high` differ where a point stands within
-/// rounding of the edge at which it is dropped (closing `hard`), or all that are left do (`fade`): it may count or not.
+/// Root mean square distances in sphere radii, NaN when no point is left. `low` and `high` differ where a point
+/// stands within rounding of the edge at which it is dropped (closing `hard`), or all that are left do (`fade`): it
+/// may count or not.
 struct StatedResidual {
   double low, high;
   double rounding;      ///< what rounding may change

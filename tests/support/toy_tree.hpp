@@ -1,5 +1,5 @@
-// Trees of joints built one by one, every joint frame parallel to the root at q = 0, so that positions can be told by
-// hand.
+// Trees of joints built one by one, every joint frame parallel to the root at q = 0, so that positions can be
+// told by hand.
 #pragma once
 
 #include <string>

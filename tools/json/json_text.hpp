@@ -1,5 +1,5 @@
-// JSON in and out: documents that keep the order of their keys, read within bounds, printed for people and machines
-// alike.
+// JSON in and out: documents that keep the order of their keys, read within bounds, printed for people
+// and machines alike.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +33,8 @@ Json parse_json(std::string_view text, const std::string& file);
 
 inline constexpr std::uint64_t kMaxJsonBytes = 64u << 20;
 
-/// Reads and parses a file of at most `max_bytes`, the bound of --max-json-bytes. Throws Error: file_unreadable, limit_exceeded, syntax.
+/// Reads and parses a file of at most `max_bytes`, the bound of --max-json-bytes. Throws Error:
+/// file_unreadable, limit_exceeded, syntax.
 Json read_json_file(const std::string& path, std::uint64_t max_bytes);
 
 }  // namespace uhas::tools

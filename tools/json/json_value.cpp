@@ -9,8 +9,8 @@
 namespace uhas::tools {
 namespace {
 
-/// The element that `key` opens with, and the rest of `key` behind its dot. Of several names that fit the longest is
-/// meant.
+/// The element that `key` opens with, and the rest of `key` behind its dot. Of several names that fit the
+/// longest is meant.
 struct Step {
   const Json* value = nullptr;
   std::string rest;

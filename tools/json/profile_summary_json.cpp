@@ -1,8 +1,8 @@
 #include <algorithm>
 
-#include "tables/names.hpp"
 #include "json/profile_summary.hpp"
 #include "json/stage_json.hpp"
+#include "tables/names.hpp"
 #include "uhas/kinematics/forward_kinematics.hpp"
 
 namespace uhas::tools {

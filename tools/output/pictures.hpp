@@ -20,6 +20,7 @@ void add_picture_options(CLI::App& app, PictureFiles& files);
 
 /// Writes the pictures that are asked for, each whole or not at all, and says so. More than one profile is drawn in
 /// HTML only. Throws Error: write_failed, and what `find_models` throws.
-void write_pictures(const Tool& tool, const PictureFiles& files, std::span<const ProfileFile> profiles, const ModelInput& input);
+void write_pictures(const Tool& tool, const PictureFiles& files, std::span<const ProfileFile> profiles,
+                    const ModelInput& input);
 
 }  // namespace uhas::tools

@@ -11,7 +11,8 @@
 namespace uhas::tools {
 
 /// The hands of a page. `geometries`: one a profile.
-std::vector<ReportHand> report_hands(std::span<const ProfileFile> profiles, const std::vector<HandGeometry>& geometries);
+std::vector<ReportHand> report_hands(std::span<const ProfileFile> profiles,
+                                     const std::vector<HandGeometry>& geometries);
 
 /// The page of `hands`, under their names.
 std::string report_page(const std::vector<ReportHand>& hands);

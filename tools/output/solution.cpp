@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "command_line/tool.hpp"
 #include "input/collision_input.hpp"
 #include "tables/table.hpp"
-#include "command_line/tool.hpp"
 
 namespace uhas::tools {
 namespace {

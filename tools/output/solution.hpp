@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "json/json_text.hpp"
 #include "input/model_input.hpp"
+#include "json/json_text.hpp"
 #include "uhas/collision/collision_free_solver.hpp"
 
 namespace uhas::tools {

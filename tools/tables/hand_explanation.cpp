@@ -1,7 +1,7 @@
 #include "tables/hand_explanation.hpp"
 
-#include "tables/findings.hpp"
 #include "output/output.hpp"
+#include "tables/findings.hpp"
 #include "tables/table.hpp"
 #include "uhas/profile_builder/complete_config.hpp"
 

@@ -4,8 +4,8 @@
 #include <iosfwd>
 #include <string>
 
-#include "json/json_text.hpp"
 #include "command_line/tool.hpp"
+#include "json/json_text.hpp"
 #include "uhas/profile_builder/build_profile.hpp"
 
 namespace uhas::tools {

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <ostream>
 
+#include "json/profile_summary.hpp"
 #include "tables/findings.hpp"
 #include "tables/names.hpp"
-#include "json/profile_summary.hpp"
 #include "tables/table.hpp"
 
 namespace uhas::tools {

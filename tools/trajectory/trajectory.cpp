@@ -9,8 +9,8 @@
 
 #include "command_line/tool.hpp"
 #include "trajectory/trajectory_hdf5.hpp"
-#include "trajectory/trajectory_json.hpp"
 #include "trajectory/trajectory_in_child.hpp"
+#include "trajectory/trajectory_json.hpp"
 #include "uhas/base/errors.hpp"
 
 namespace uhas::tools {

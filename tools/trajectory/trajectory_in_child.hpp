@@ -5,9 +5,9 @@
 
 namespace uhas::tools {
 
-/// As `open_hdf5_trajectory`, but a child process reads the file and hands over blocks of plain frames, in constant memory.
-/// The reader throws what `open_hdf5_trajectory` and its reader throw, and Error: syntax when the child was brought down,
-/// limit_exceeded when it took too long or too much memory.
+/// As `open_hdf5_trajectory`, but a child process reads the file and hands over blocks of plain frames, in constant
+/// memory. The reader throws what `open_hdf5_trajectory` and its reader throw, and Error: syntax when the child was
+/// brought down, limit_exceeded when it took too long or too much memory.
 std::unique_ptr<TrajectoryReader> open_hdf5_trajectory_in_child(const std::string& path, std::uint64_t max_bytes,
                                                                 const ChildLimits& limits);
 

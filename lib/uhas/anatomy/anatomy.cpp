@@ -7,13 +7,13 @@
 
 #include "uhas/anatomy/config_names.hpp"
 #include "uhas/anatomy/fingers/digits.hpp"
-#include "uhas/anatomy/opening/extension.hpp"
 #include "uhas/anatomy/fingers/fingertip.hpp"
-#include "uhas/anatomy/palm/normal_error.hpp"
+#include "uhas/anatomy/opening/extension.hpp"
 #include "uhas/anatomy/opening/open_pose.hpp"
-#include "uhas/anatomy/palm_plane.hpp"
+#include "uhas/anatomy/palm/normal_error.hpp"
 #include "uhas/anatomy/palm/palm_slab.hpp"
 #include "uhas/anatomy/palm/palm_tree.hpp"
+#include "uhas/anatomy/palm_plane.hpp"
 #include "uhas/base/errors.hpp"
 #include "uhas/kinematics/forward_kinematics.hpp"
 
@@ -37,8 +37,8 @@ double root_azimuth(const PalmPlane& plane, int finger) {
 
 std::string count_joints(std::size_t count) { return std::to_string(count) + (count == 1 ? " joint" : " joints"); }
 
-/// The unit vector along `direction`. One that is unit already keeps its bits, so that a written config states what was
-/// inferred exactly.
+/// The unit vector along `direction`. One that is unit already keeps its bits, so that a written config states what
+/// was inferred exactly.
 Vector3d unit_direction(Vector3d direction) {
   constexpr double rounding = 1e-14;
   return std::abs(norm(direction) - 1) <= rounding ? direction : normalized(direction);

@@ -47,7 +47,8 @@ struct HandConfig {
 
 inline constexpr std::uint64_t kMaxHandConfigBytes = 1u << 20;
 
-/// Reads a hand config from a JSON file of at most `max_bytes`; absent keys, and "" for a link or a handedness, mean "infer".
+/// Reads a hand config from a JSON file of at most `max_bytes`; absent keys, and "" for a link or a
+/// handedness, mean "infer".
 /// Throws Error: file_unreadable, limit_exceeded, syntax, unsupported_version, invalid_config (an unknown key names the
 /// nearest known one).
 HandConfig read_hand_config(const std::string& path, std::uint64_t max_bytes = kMaxHandConfigBytes);

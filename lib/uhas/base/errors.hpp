@@ -44,7 +44,8 @@ enum class Status : int {
   invalid_driving_vectors = 3,  ///< driving-vector angles not strictly increasing in (0, pi); the output is untouched
   unknown_hand = 4,             ///< a batch row for a hand that the solver does not have; the output is untouched
   invalid_period = 5,           ///< a control period that is not a positive finite number; the output is untouched
-  invalid_radial_bounds = 6,    ///< radial bounds that are not -1e6 <= lower <= 0 <= upper <= 1e6; the output is untouched
+  invalid_radial_bounds =
+      6,  ///< radial bounds that are not -1e6 <= lower <= 0 <= upper <= 1e6; the output is untouched
 };
 
 /// A short English sentence for `status`; never null.

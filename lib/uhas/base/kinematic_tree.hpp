@@ -16,7 +16,7 @@ enum class JointKind : int { revolute = 0, continuous = 1, prismatic = 2 };
 struct Joint {
   std::string name;
   JointKind kind = JointKind::revolute;
-  int parent = -1;                 ///< index of the joint that carries this one, below its own index; -1 = the tree's root frame
+  int parent = -1;  ///< index of the joint that carries this one, below its own index; -1 = the tree's root frame
   RigidTransformd T_parent_joint;  ///< this joint's frame at q = 0 in its parent's MOVED frame (metres)
   Vector3d axis{0, 0, 1};          ///< unit vector in the joint frame
   double lower = 0, upper = 0;     ///< position limits (rad, or m for a prismatic joint)

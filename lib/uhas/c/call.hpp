@@ -133,7 +133,8 @@ class Actions {
       std::transform(options.driving_vectors_phi, options.driving_vectors_phi + angles_, phi_.begin(), as_real);
     has_offsets_ = fits_ && options.azimuth_offsets != nullptr;
     has_bounds_ = fits_ && options.radial_bounds != nullptr;
-    if (has_offsets_) std::transform(options.azimuth_offsets, options.azimuth_offsets + kSlotCount, offsets_.begin(), as_real);
+    if (has_offsets_)
+      std::transform(options.azimuth_offsets, options.azimuth_offsets + kSlotCount, offsets_.begin(), as_real);
     if (has_bounds_) std::transform(options.radial_bounds, options.radial_bounds + 2, bounds_.begin(), as_real);
   }
 
@@ -149,7 +150,9 @@ class Actions {
   std::span<const Real> values() const noexcept { return values_; }
   std::span<const Real> angles() const noexcept { return std::span(phi_).first(angles_); }
   bool normalized() const noexcept { return normalized_; }
-  std::span<const Real> azimuth_offsets() const noexcept { return std::span(offsets_).first(has_offsets_ ? kSlotCount : 0); }
+  std::span<const Real> azimuth_offsets() const noexcept {
+    return std::span(offsets_).first(has_offsets_ ? kSlotCount : 0);
+  }
   std::span<const Real> radial_bounds() const noexcept { return std::span(bounds_).first(has_bounds_ ? 2 : 0); }
 
   /// V; 0 when no V makes rows so long.

@@ -37,8 +37,8 @@ extern "C" {
 /* Rises when a declaration below changes its meaning; new ones do not raise it. */
 #define UHAS_C_API_VERSION 1
 
-int uhas_c_api_version(void);     /* UHAS_C_API_VERSION of the library that runs */
-const char* uhas_version(void);   /* of the library that runs, "major.minor.patch" */
+int uhas_c_api_version(void);   /* UHAS_C_API_VERSION of the library that runs */
+const char* uhas_version(void); /* of the library that runs, "major.minor.patch" */
 
 /* uhas::Status */
 typedef enum uhas_status {
@@ -57,13 +57,13 @@ const char* uhas_status_text(int status);
 /* uhas::ErrorCode, as far as set-up calls here can meet it, and two of their own */
 typedef enum uhas_error {
   UHAS_ERROR_FILE_UNREADABLE = 1,
-  UHAS_ERROR_INVALID_PROFILE = 7,      /* damaged, alien or inconsistent */
-  UHAS_ERROR_UNSUPPORTED_VERSION = 8,  /* a format version that this library does not know */
-  UHAS_ERROR_INVALID_ACTION = 9,       /* a number of passes or of driving vectors out of its range */
-  UHAS_ERROR_LIMIT_EXCEEDED = 10,      /* a file larger than the library reads */
-  UHAS_ERROR_INVALID_OPTION = 12,      /* an option out of its range, or NULL where something is needed */
+  UHAS_ERROR_INVALID_PROFILE = 7,     /* damaged, alien or inconsistent */
+  UHAS_ERROR_UNSUPPORTED_VERSION = 8, /* a format version that this library does not know */
+  UHAS_ERROR_INVALID_ACTION = 9,      /* a number of passes or of driving vectors out of its range */
+  UHAS_ERROR_LIMIT_EXCEEDED = 10,     /* a file larger than the library reads */
+  UHAS_ERROR_INVALID_OPTION = 12,     /* an option out of its range, or NULL where something is needed */
   UHAS_ERROR_OUT_OF_MEMORY = 100,
-  UHAS_ERROR_INTERNAL = 101            /* a defect of the library */
+  UHAS_ERROR_INTERNAL = 101 /* a defect of the library */
 } uhas_error;
 
 /* ---- The hand profile: what is known of a hand. Its joint order is that of every array of joint values. */
@@ -73,10 +73,10 @@ typedef struct uhas_profile uhas_profile;
 int uhas_profile_load(const char* path, uhas_profile** profile, char* message, size_t message_size);
 void uhas_profile_free(uhas_profile* profile);
 
-const char* uhas_profile_hand(const uhas_profile* profile);      /* the robot's name; lives as long as the profile */
-double uhas_profile_radius(const uhas_profile* profile);         /* of the sphere, m */
-size_t uhas_profile_joint_count(const uhas_profile* profile);    /* mimic followers included */
-const char* uhas_profile_joint_name(const uhas_profile* profile, size_t joint);  /* NULL beyond the last one */
+const char* uhas_profile_hand(const uhas_profile* profile);   /* the robot's name; lives as long as the profile */
+double uhas_profile_radius(const uhas_profile* profile);      /* of the sphere, m */
+size_t uhas_profile_joint_count(const uhas_profile* profile); /* mimic followers included */
+const char* uhas_profile_joint_name(const uhas_profile* profile, size_t joint); /* NULL beyond the last one */
 
 /* rad, m for sliding joints; [joint count] each */
 int uhas_profile_joint_limits(const uhas_profile* profile, double* lower, double* upper, size_t joint_count);
@@ -86,13 +86,14 @@ int uhas_profile_reference_posture(const uhas_profile* profile, double* q, size_
 
 typedef struct uhas_action_options {
   size_t struct_size;
-  int normalized;                     /* values in [-1, 1]: 0 is undeformed, -1 and 1 are the bounds */
-  const double* driving_vectors_phi;  /* [V] or [5 V] polar angles; NULL = pi j / (V + 1) */
+  int normalized;                    /* values in [-1, 1]: 0 is undeformed, -1 and 1 are the bounds */
+  const double* driving_vectors_phi; /* [V] or [5 V] polar angles; NULL = pi j / (V + 1) */
   size_t driving_vectors_size;
-  const double* azimuth_offsets;      /* [5] rad: a slot's plane stands this much further; NULL = 0 */
-  const double* radial_bounds;        /* [2] -1e6 <= lower <= 0 <= upper <= 1e6; NULL = those of the convention */
+  const double* azimuth_offsets; /* [5] rad: a slot's plane stands this much further; NULL = 0 */
+  const double* radial_bounds;   /* [2] -1e6 <= lower <= 0 <= upper <= 1e6; NULL = those of the convention */
 } uhas_action_options;
-#define UHAS_ACTION_OPTIONS_INIT {sizeof(uhas_action_options), 0, NULL, 0, NULL, NULL}
+#define UHAS_ACTION_OPTIONS_INIT \
+  { sizeof(uhas_action_options), 0, NULL, 0, NULL, NULL }
 
 /* ---- Solving: actions to joint angles, within limits for any finite action. */
 
@@ -109,10 +110,13 @@ typedef struct uhas_solve_options { /* see uhas/runtime/cascade_solver.hpp */
   int passes; /* 1 to 100 */
   int convention;
 } uhas_solve_options;
-#define UHAS_SOLVE_OPTIONS_INIT \
-  {sizeof(uhas_solve_options), UHAS_RULE_CORRESPONDENCE, UHAS_CLOSING_FADE, UHAS_FIELD_FINGER, 1, UHAS_CONVENTION_UHAS}
+#define UHAS_SOLVE_OPTIONS_INIT                                                                    \
+  {                                                                                                \
+    sizeof(uhas_solve_options), UHAS_RULE_CORRESPONDENCE, UHAS_CLOSING_FADE, UHAS_FIELD_FINGER, 1, \
+        UHAS_CONVENTION_UHAS                                                                       \
+  }
 #define UHAS_SIM_SOLVE_OPTIONS_INIT /* uhas::kUhasSim: for policies trained with the authors' released code; unverified */ \
-  {sizeof(uhas_solve_options), UHAS_RULE_CONTACT, UHAS_CLOSING_HARD, UHAS_FIELD_FINGER, 1, UHAS_CONVENTION_SIM}
+  { sizeof(uhas_solve_options), UHAS_RULE_CONTACT, UHAS_CLOSING_HARD, UHAS_FIELD_FINGER, 1, UHAS_CONVENTION_SIM }
 
 typedef struct uhas_solve_report { /* what a solve found out besides the angles; each array may be NULL */
   size_t struct_size;
@@ -120,20 +124,21 @@ typedef struct uhas_solve_report { /* what a solve found out besides the angles;
   uint8_t* at_limit;    /* [N][joint count] 1 where the fitted angle was held at a limit */
   uint8_t* closed;      /* [N][joint count] 1 where the joint closed because no point was left */
 } uhas_solve_report;
-#define UHAS_SOLVE_REPORT_INIT {sizeof(uhas_solve_report), NULL, NULL, NULL}
+#define UHAS_SOLVE_REPORT_INIT \
+  { sizeof(uhas_solve_report), NULL, NULL, NULL }
 
 typedef struct uhas_solver uhas_solver;
 
-int uhas_solver_create(const uhas_profile* profile, const uhas_solve_options* options, uhas_solver** solver, char* message,
-                       size_t message_size);
+int uhas_solver_create(const uhas_profile* profile, const uhas_solve_options* options, uhas_solver** solver,
+                       char* message, size_t message_size);
 void uhas_solver_free(uhas_solver* solver);
 
 /* q: [N][joint count]. Of several actions, one that is refused refuses all. report: may be NULL. Action by action; a
  * uhas_batch is many times faster for many. */
-int uhas_solver_solve(uhas_solver* solver, const double* actions, size_t actions_size, const uhas_action_options* options,
-                      double* q, size_t q_size, const uhas_solve_report* report);
-int uhas_solver_solve_f(uhas_solver* solver, const float* actions, size_t actions_size, const uhas_action_options* options,
-                        float* q, size_t q_size, const uhas_solve_report* report);
+int uhas_solver_solve(uhas_solver* solver, const double* actions, size_t actions_size,
+                      const uhas_action_options* options, double* q, size_t q_size, const uhas_solve_report* report);
+int uhas_solver_solve_f(uhas_solver* solver, const float* actions, size_t actions_size,
+                        const uhas_action_options* options, float* q, size_t q_size, const uhas_solve_report* report);
 
 /* ---- Solving at scale: SIMD over hands, threads, mixed sets of hands; see uhas/runtime/batch_solver.hpp. */
 
@@ -141,7 +146,8 @@ typedef struct uhas_batch_options {
   size_t struct_size;
   int threads; /* 1 to 256, the calling one included; with more than one, a call waits for the others */
 } uhas_batch_options;
-#define UHAS_BATCH_OPTIONS_INIT {sizeof(uhas_batch_options), 1}
+#define UHAS_BATCH_OPTIONS_INIT \
+  { sizeof(uhas_batch_options), 1 }
 
 typedef struct uhas_batch uhas_batch;
 
@@ -164,22 +170,25 @@ int uhas_batch_solve_f(uhas_batch* batch, const float* actions, size_t actions_s
 
 typedef struct uhas_controller_options {
   size_t struct_size;
-  double velocity_scale;            /* > 0: share of the velocity limits that targets may use */
-  double range_scale;               /* (0, 1]: share of each joint's range that targets are led to */
-  double time_constant;             /* s, >= 0: of first-order smoothing; 0 = none */
-  const uhas_solve_options* solve;  /* NULL = the defaults */
+  double velocity_scale;           /* > 0: share of the velocity limits that targets may use */
+  double range_scale;              /* (0, 1]: share of each joint's range that targets are led to */
+  double time_constant;            /* s, >= 0: of first-order smoothing; 0 = none */
+  const uhas_solve_options* solve; /* NULL = the defaults */
 } uhas_controller_options;
-#define UHAS_CONTROLLER_OPTIONS_INIT {sizeof(uhas_controller_options), 1, 1, 0, NULL}
+#define UHAS_CONTROLLER_OPTIONS_INIT \
+  { sizeof(uhas_controller_options), 1, 1, 0, NULL }
 
 typedef struct uhas_controller uhas_controller;
 
-int uhas_controller_create(const uhas_profile* profile, const uhas_controller_options* options, uhas_controller** controller,
-                           char* message, size_t message_size);
+int uhas_controller_create(const uhas_profile* profile, const uhas_controller_options* options,
+                           uhas_controller** controller, char* message, size_t message_size);
 void uhas_controller_free(uhas_controller* controller);
 
 /* Begins at postures q, usually measured ones. q and targets: [N][joint count]; they may be one array. */
-int uhas_controller_reset(uhas_controller* controller, const double* q, size_t q_size, double* targets, size_t targets_size);
-int uhas_controller_reset_f(uhas_controller* controller, const float* q, size_t q_size, float* targets, size_t targets_size);
+int uhas_controller_reset(uhas_controller* controller, const double* q, size_t q_size, double* targets,
+                          size_t targets_size);
+int uhas_controller_reset_f(uhas_controller* controller, const float* q, size_t q_size, float* targets,
+                            size_t targets_size);
 
 /* One period of dt seconds moves the targets [N][joint count], which are all the state there is. The targets of a hand whose
  * action is refused are held, the other hands move; the result is that of the first hand refused. */
@@ -201,7 +210,8 @@ typedef struct uhas_observation_options {
   unsigned points;    /* bit i: point i of a finger's seven, root to tip */
   int pad_directions; /* append each slot's pad direction */
 } uhas_observation_options;
-#define UHAS_OBSERVATION_OPTIONS_INIT {sizeof(uhas_observation_options), 1u << 3 | 1u << 6, 0}
+#define UHAS_OBSERVATION_OPTIONS_INIT \
+  { sizeof(uhas_observation_options), 1u << 3 | 1u << 6, 0 }
 
 typedef struct uhas_observer uhas_observer;
 

@@ -11,7 +11,8 @@
 namespace uhas {
 namespace {
 
-/// Least distance of the moved fingertips (their mean) from the sphere's centre while `joint` goes from open to `end`, in radii.
+/// Least distance of the moved fingertips (their mean) from the sphere's centre while `joint` goes from open to
+/// `end`, in radii.
 double least_distance(const Anatomy& anatomy, const SphereFrame& frame, int joint, double end) {
   constexpr int steps = 64;
   const std::vector<int> fingers = fingers_moved(anatomy, joint);
@@ -26,8 +27,8 @@ double least_distance(const Anatomy& anatomy, const SphereFrame& frame, int join
   return least;
 }
 
-/// The end of a positive turn about the way from the sphere's centre to the open fingertips (on a left hand of a negative
-/// one, its mirror image): the same end whichever sign the joint's axis has.
+/// The end of a positive turn about the way from the sphere's centre to the open fingertips (on a left hand of a
+/// negative one, its mirror image): the same end whichever sign the joint's axis has.
 double conventional_end(const Anatomy& anatomy, const SphereFrame& frame, int joint) {
   const Joint& j = anatomy.tree.joints[joint];
   std::vector<RigidTransformd> T_palm_joint(anatomy.tree.joints.size());
@@ -41,7 +42,7 @@ double conventional_end(const Anatomy& anatomy, const SphereFrame& frame, int jo
 
 double closed_end(const Anatomy& anatomy, const SphereFrame& frame, int joint) {
   const Joint& j = anatomy.tree.joints[joint];
-  constexpr double tie = 1e-3;        // radii
+  constexpr double tie = 1e-3;          // radii
   constexpr double equal_range = 1e-6;  // of the range
   if (!fingers_moved(anatomy, joint).empty()) {
     const double below = least_distance(anatomy, frame, joint, j.lower);

@@ -12,7 +12,8 @@ std::vector<int> fingers_moved(const Anatomy& anatomy, int joint) {
   std::vector<int> fingers;
   for (int f = 0; f < static_cast<int>(anatomy.fingers.size()); ++f) {
     const std::vector<int>& joints = anatomy.fingers[f].joints;
-    if (std::any_of(joints.begin(), joints.end(), [&](int j) { return turns_with(anatomy.tree, j, joint); })) fingers.push_back(f);
+    if (std::any_of(joints.begin(), joints.end(), [&](int j) { return turns_with(anatomy.tree, j, joint); }))
+      fingers.push_back(f);
   }
   return fingers;
 }
@@ -20,7 +21,8 @@ std::vector<int> fingers_moved(const Anatomy& anatomy, int joint) {
 void set_with_followers(const KinematicTree& tree, int joint, double value, std::span<double> q) {
   q[joint] = value;
   for (int i = 0; i < static_cast<int>(tree.joints.size()); ++i)
-    if (tree.joints[i].mimic_master == joint) q[i] = tree.joints[i].mimic_multiplier * value + tree.joints[i].mimic_offset;
+    if (tree.joints[i].mimic_master == joint)
+      q[i] = tree.joints[i].mimic_multiplier * value + tree.joints[i].mimic_offset;
 }
 
 std::vector<int> joints_further_out(const Anatomy& anatomy, int finger, int joint) {

@@ -10,7 +10,8 @@
 namespace uhas {
 namespace {
 
-/// What a sweep makes of a fingertip: travel across the sphere, travel in radius and polar angle, path length (m); range swept.
+/// What a sweep makes of a fingertip: travel across the sphere, travel in radius and polar angle, path length
+/// (m); range swept.
 struct Travel {
   double lateral = 0, encompassing = 0, path = 0, range = 0;
 };
@@ -49,7 +50,8 @@ double total_arm(const Anatomy& anatomy, const SphereFrame& frame, int joint) {
   double arm = 0;
   for (int f : fingers_moved(anatomy, joint)) {
     const std::vector<int>& joints = anatomy.fingers[f].joints;
-    const int first = *std::find_if(joints.begin(), joints.end(), [&](int i) { return turns_with(anatomy.tree, i, joint); });
+    const int first =
+        *std::find_if(joints.begin(), joints.end(), [&](int i) { return turns_with(anatomy.tree, i, joint); });
     const Vector3d tip = frame.T_palm_sphere * fingertip_in_sphere(anatomy, frame, f, anatomy.q_open);
     arm += norm(tip - T_palm_joint[first].translation);
   }
@@ -57,8 +59,8 @@ double total_arm(const Anatomy& anatomy, const SphereFrame& frame, int joint) {
 }
 
 /// @param classes  of the joints further out
-JointClassification classify(const Anatomy& anatomy, const SphereFrame& frame, std::span<const double> q_closed, int joint,
-                             std::span<const JointClassification> classes) {
+JointClassification classify(const Anatomy& anatomy, const SphereFrame& frame, std::span<const double> q_closed,
+                             int joint, std::span<const JointClassification> classes) {
   JointClassification result;
   Travel travel = sweep(anatomy, frame, joint, anatomy.q_open);
 

@@ -21,8 +21,8 @@ struct CollisionFreeSolution {
 };
 
 /// An action whose solution collides is scaled toward the undeformed sphere. The way is walked from there in 32 equal
-/// steps up to the first that collides; that step is then halved ten times, so that a scale greater by 1/32768 is known
-/// to collide.
+/// steps up to the first that collides; that step is then halved ten times, so that a scale greater by 1/32768 is
+/// known to collide.
 ///
 /// The solution is free, and so are those at all whole steps below its scale. What lies between steps is not looked at,
 /// nor is the way from any other pose; and an action whose own solution is free is kept, whatever lies before it.

@@ -35,8 +35,8 @@ struct LinkPair {
 struct SelfCollisionOptions {
   int samples = 1000;      ///< poses drawn, besides q_open, q_sphere and q_closed, to tell the uses of pairs
   std::uint64_t seed = 1;  ///< of those poses
-  /// In (0, 1]. On the hands known to us what overlaps by design touches in 95 % of the poses and more, all else in
-  /// under half.
+  /// In (0, 1]. On the hands known to us what overlaps by design touches in 95 % of the poses and more, all else
+  /// in under half.
   double touching_share = 0.9;
   /// Of the whole hand; one with more is simplified to that. FCL takes half a kilobyte a triangle.
   std::size_t max_triangles = 500'000;
@@ -65,8 +65,8 @@ class SelfCollision {
   /// Every pair of links with geometry, ordered by `first`, then `second`.
   std::span<const LinkPair> pairs() const noexcept;
 
-  /// Length of `q` below: every joint of the profile, in its order, mimic followers included (rad; m for prismatic
-  /// joints).
+  /// Length of `q` below: every joint of the profile, in its order, mimic followers included (rad; m
+  /// for prismatic joints).
   int joint_count() const noexcept;
 
   /// Whether any pair that is checked or apart is in contact at `q`.

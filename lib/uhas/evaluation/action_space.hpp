@@ -15,13 +15,14 @@ struct ActionSpace {
   static constexpr int kVectors = 2;
   static constexpr int kInputs = kSlotCount * (1 + kVectors);
 
-  std::vector<double> lower, upper;            ///< [15]
-  std::array<int, kSlotCount> first_slot{};    ///< [slot] the first slot of its finger
+  std::vector<double> lower, upper;          ///< [15]
+  std::array<int, kSlotCount> first_slot{};  ///< [slot] the first slot of its finger
 
   explicit ActionSpace(const HandProfile& profile) : lower(kInputs, -kRadialBound), upper(kInputs, kRadialBound) {
     for (int slot = 0; slot < kSlotCount; ++slot) lower[slot] = upper[slot] = 0, first_slot[slot] = slot;
     for (const ProfileFinger& finger : profile.fingers) {
-      const int first = static_cast<int>(std::find(finger.slots.begin(), finger.slots.end(), true) - finger.slots.begin());
+      const int first =
+          static_cast<int>(std::find(finger.slots.begin(), finger.slots.end(), true) - finger.slots.begin());
       for (int slot = 0; slot < kSlotCount; ++slot)
         if (finger.slots[slot]) first_slot[slot] = first;
       if (finger.lateral_table < 0) continue;

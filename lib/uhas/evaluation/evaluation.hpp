@@ -31,10 +31,10 @@ struct CollisionScore {
 
 struct Evaluation {
   ReachScore reach;
-  FitScore fit;                            ///< of `evaluated_solves()`
+  FitScore fit;  ///< of `evaluated_solves()`
   SurfaceScore surface;
-  std::vector<SmoothnessScore> smoothness; ///< of the solves with the rule `correspondence` in `evaluated_solves()`
-  std::optional<CollisionScore> collision; ///< nothing without geometry
+  std::vector<SmoothnessScore> smoothness;  ///< of the solves with the rule `correspondence` in `evaluated_solves()`
+  std::optional<CollisionScore> collision;  ///< nothing without geometry
   SolveTime time;
 };
 

@@ -18,16 +18,17 @@ struct FingerFit {
 
 struct SolveFit {
   SolveOptions solve;
-  std::vector<FingerFit> fingers;  ///< [finger of the profile]; one that shares a joint has the figures of all that share it
+  std::vector<FingerFit>
+      fingers;  ///< [finger of the profile]; one that shares a joint has the figures of all that share it
   FingerFit pooled;
 };
 
 struct FitScore {
-  std::vector<SolveFit> solves;   ///< in the order asked for
-  Quantiles optimum;              ///< rms of the numerical optimum, pooled, sphere radii
-  int problems = 0;               ///< actions times fingers
-  int negligible = 0;             ///< of these, with an optimum below 0.005 radii: no ratio
-  int unconfirmed = 0;            ///< optima that only one of the starts has found, to 1 % of their rms
+  std::vector<SolveFit> solves;  ///< in the order asked for
+  Quantiles optimum;             ///< rms of the numerical optimum, pooled, sphere radii
+  int problems = 0;              ///< actions times fingers
+  int negligible = 0;            ///< of these, with an optimum below 0.005 radii: no ratio
+  int unconfirmed = 0;           ///< optima that only one of the starts has found, to 1 % of their rms
 };
 
 /// The numerical optimum minimises the same sum over the same limits, from six starts.

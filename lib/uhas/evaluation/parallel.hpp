@@ -9,9 +9,9 @@
 
 namespace uhas {
 
-/// Calls `work(k)` once for each k = 0 .. count - 1, on `threads` threads, in no particular order. A piece writes
-/// nothing that another one reads, so that results do not depend on the number of threads. Rethrows the first exception
-/// seen.
+/// Calls `work(k)` once for each k = 0 .. count - 1, on `threads` threads, in no particular order. A piece
+/// writes nothing that another one reads, so that results do not depend on the number of threads. Rethrows the
+/// first exception seen.
 /// @param make_worker  called once a thread: returns the function `work`, with scratch memory of its own
 template <class MakeWorker>
 void parallel_for(int count, int threads, const MakeWorker& make_worker) {

@@ -5,8 +5,8 @@
 
 #include "uhas/base/spherical.hpp"
 #include "uhas/evaluation/least_squares/driving_plane.hpp"
-#include "uhas/runtime/cascade_solver.hpp"
 #include "uhas/kinematics/forward_kinematics.hpp"
+#include "uhas/runtime/cascade_solver.hpp"
 
 namespace uhas {
 namespace {

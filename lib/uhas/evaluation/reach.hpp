@@ -13,8 +13,9 @@ namespace uhas {
 /// is in the units of the input: rad that the fingertip turned in azimuth, or radii that the surface points moved
 /// outward, as far as they moved in the pattern asked for (its coefficient of least squares, by the solver's weights).
 struct InputReach {
-  double lower = 0, upper = 0;                    ///< bounds of the input
-  double useful_lower = 0, useful_upper = 0;      ///< from zero outward, as long as every step is followed by a quarter at least
+  double lower = 0, upper = 0;  ///< bounds of the input
+  double useful_lower = 0,
+         useful_upper = 0;  ///< from zero outward, as long as every step is followed by a quarter at least
   double achieved_lower = 0, achieved_upper = 0;  ///< at the ends of the useful bounds
   double followed = 0;                            ///< share of the bounds that is useful; 0 when there are none
   bool dead = false;                              ///< the hand moves by less than 5 % of what is asked for

@@ -19,9 +19,9 @@ struct SmoothnessOptions {
 
 /// The steepest place of one joint along lines of the action space.
 struct JointStep {
-  int joint = -1;              ///< index into the profile's joints
-  double rate = 0;             ///< rad a unit of the input (rad a radius, rad a rad), over one step of a line; sliding joints:
-                               ///< radii in place of rad
+  int joint = -1;   ///< index into the profile's joints
+  double rate = 0;  ///< rad a unit of the input (rad a radius, rad a rad), over one step of a line; sliding joints:
+                    ///< radii in place of rad
   double finest_rate = 0;      ///< the greatest rate found there as the step is halved, down to 1/65536
   double jump = 0;             ///< rad left at the end of the halving where that is a jump, 0 where it is a slope
   std::vector<double> action;  ///< [15] where the steepest part begins

@@ -7,8 +7,8 @@
 #include "uhas/base/spherical.hpp"
 #include "uhas/evaluation/least_squares/driving_plane.hpp"
 #include "uhas/evaluation/parallel.hpp"
-#include "uhas/runtime/cascade_solver.hpp"
 #include "uhas/kinematics/forward_kinematics.hpp"
+#include "uhas/runtime/cascade_solver.hpp"
 
 namespace uhas {
 namespace {

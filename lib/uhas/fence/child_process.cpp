@@ -22,12 +22,10 @@
 namespace uhas {
 namespace {
 
-using detail::errno_text;
-using detail::FileDescriptor;
 using Clock = std::chrono::steady_clock;
 
-// The child answers once a piece of work, until it fails: a head, then the bytes of the result, or the number of an ErrorCode
-// and what() says.
+// The child answers once a piece of work, until it fails: a head, then the bytes of the result, or the number of an
+// ErrorCode and what() says.
 enum class Answer : std::uint64_t { result, error };
 
 struct AnswerHead {

@@ -13,14 +13,15 @@
 namespace uhas {
 
 struct ChildLimits {
-  std::uint64_t max_memory_bytes = std::uint64_t{4} << 30;  ///< beyond what the calling process holds; of each result, too
-  std::uint64_t max_seconds = 60;  ///< for each result
+  std::uint64_t max_memory_bytes = std::uint64_t{4}
+                                   << 30;  ///< beyond what the calling process holds; of each result, too
+  std::uint64_t max_seconds = 60;          ///< for each result
 };
 
 /// Work in a copy of this process: whatever it does to memory is undone with the copy, and a crash, a hang or boundless
 /// memory there is an Error here. It is a fence against mishap, not a jail: the copy may still read files and talk to
-/// the world, though it can write no file. For set-up code; while the copy is made, no other thread may hold a lock that
-/// the work needs.
+/// the world, though it can write no file. For set-up code; while the copy is made, no other thread may hold a lock
+/// that the work needs.
 class ChildProcess {
  public:
   /// Begins `work(0)`, `work(1)`, ... up to `count`; it runs ahead of who asks for the results as far as a pipe holds.

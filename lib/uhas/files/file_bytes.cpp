@@ -9,9 +9,6 @@
 
 namespace uhas {
 
-using detail::errno_text;
-using detail::FileDescriptor;
-
 namespace {
 
 Error unreadable(const std::string& path, const std::string& problem) {

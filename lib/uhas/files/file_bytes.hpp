@@ -9,8 +9,8 @@
 
 namespace uhas {
 
-/// All bytes of the regular file `path`. Throws Error: file_unreadable; limit_exceeded, with `remedy`, when it has more
-/// than `max_bytes`.
+/// All bytes of the regular file `path`. Throws Error: file_unreadable; limit_exceeded, with `remedy`, when it has
+/// more than `max_bytes`.
 std::vector<std::byte> read_file(const std::string& path, std::uint64_t max_bytes,
                                  const std::string& remedy = "make sure that it is the right file");
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <system_error>
 
-namespace uhas::detail {
+namespace uhas {
 
 /// What the last system call complained of.
 inline std::string errno_text() { return std::generic_category().message(errno); }
@@ -34,4 +34,4 @@ class FileDescriptor {
   int number_;
 };
 
-}  // namespace uhas::detail
+}  // namespace uhas

@@ -10,9 +10,6 @@
 
 namespace uhas {
 
-using detail::errno_text;
-using detail::FileDescriptor;
-
 namespace {
 
 Error write_failed(const std::string& path, const std::string& problem) {

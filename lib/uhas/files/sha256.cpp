@@ -7,9 +7,9 @@
 namespace uhas {
 namespace {
 
-void compress(detail::Sha256State& state, std::span<const std::byte> blocks) {
-  static const detail::Sha256Compress own = detail::sha256_compress_x86();
-  own ? own(state, blocks) : detail::sha256_compress_portable(state, blocks);
+void compress(Sha256State& state, std::span<const std::byte> blocks) {
+  static const Sha256Compress own = sha256_compress_x86();
+  own ? own(state, blocks) : sha256_compress_portable(state, blocks);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The surface of a hand as its profile divides it: one mesh a link. A profile holds no meshes; they come from its
-// model.
+// The surface of a hand as its profile divides it: one mesh a link. A profile holds no meshes; they come
+// from its model.
 #pragma once
 
 #include <cstddef>

@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace uhas::detail {
+namespace uhas {
 
 /// Held around all use of HDF5: callers take turns, whether or not the library was built for threads, and its error
 /// printing is off.
@@ -26,15 +26,15 @@ class Hdf5Session {
 };
 
 /// An HDF5 identifier that closes itself.
-class Handle {
+class Hdf5Handle {
  public:
   using Close = herr_t (*)(hid_t);
 
-  Handle(hid_t id, Close close) : id_(id), close_(close) {}
-  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
-  Handle(const Handle&) = delete;
-  Handle& operator=(const Handle&) = delete;
-  ~Handle() {
+  Hdf5Handle(hid_t id, Close close) : id_(id), close_(close) {}
+  Hdf5Handle(Hdf5Handle&& other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
+  Hdf5Handle(const Hdf5Handle&) = delete;
+  Hdf5Handle& operator=(const Hdf5Handle&) = delete;
+  ~Hdf5Handle() {
     if (valid()) close_(id_);
   }
 
@@ -64,6 +64,6 @@ hid_t memory_type() {
 }
 
 /// The type of a fixed-length UTF-8 string, padded with zeros.
-Handle string_type(std::size_t bytes);
+Hdf5Handle string_type(std::size_t bytes);
 
-}  // namespace uhas::detail
+}  // namespace uhas

@@ -8,7 +8,7 @@
 
 #include "uhas/hdf5/handle.hpp"
 
-namespace uhas::detail {
+namespace uhas {
 namespace {
 
 constexpr int max_depth = 4;       // of nested groups; the format has two levels
@@ -29,12 +29,12 @@ class Screening {
       if (H5Lget_info(group, child.c_str(), &link, H5P_DEFAULT) < 0) refuse(name, "cannot be listed");
       const std::string child_name = name + (name == "/" ? "" : "/") + child;
       if (link.type != H5L_TYPE_HARD) refuse(child_name, "is a soft, external or user-defined link");
-      visit_object(Handle(H5Oopen(group, child.c_str(), H5P_DEFAULT), H5Oclose), child_name, depth + 1);
+      visit_object(Hdf5Handle(H5Oopen(group, child.c_str(), H5P_DEFAULT), H5Oclose), child_name, depth + 1);
     }
   }
 
  private:
-  void visit_object(const Handle& object, const std::string& name, int depth) {
+  void visit_object(const Hdf5Handle& object, const std::string& name, int depth) {
     count_object(name);
     const H5I_type_t kind = object.valid() ? H5Iget_type(object.id()) : H5I_BADID;
     if (kind == H5I_GROUP)
@@ -47,8 +47,8 @@ class Screening {
 
   void visit_dataset(hid_t dataset, const std::string& name) {
     visit_attributes(dataset, name);
-    const Handle type(H5Dget_type(dataset), H5Tclose);
-    const Handle space(H5Dget_space(dataset), H5Sclose);
+    const Hdf5Handle type(H5Dget_type(dataset), H5Tclose);
+    const Hdf5Handle space(H5Dget_space(dataset), H5Sclose);
     check_values(type.id(), space.id(), name);
     check_storage(dataset, H5Tget_size(type.id()), name);
   }
@@ -56,12 +56,12 @@ class Screening {
   void visit_attributes(hid_t object, const std::string& name) {
     // H5Aopen_by_idx past the last attribute fails, which ends the list whatever the library's version of H5O_info_t
     for (hsize_t i = 0;; ++i) {
-      const Handle attribute(H5Aopen_by_idx(object, ".", H5_INDEX_NAME, H5_ITER_INC, i, H5P_DEFAULT, H5P_DEFAULT),
-                             H5Aclose);
+      const Hdf5Handle attribute(H5Aopen_by_idx(object, ".", H5_INDEX_NAME, H5_ITER_INC, i, H5P_DEFAULT, H5P_DEFAULT),
+                                 H5Aclose);
       if (!attribute.valid()) break;
       count_object(name);
-      const Handle type(H5Aget_type(attribute.id()), H5Tclose);
-      const Handle space(H5Aget_space(attribute.id()), H5Sclose);
+      const Hdf5Handle type(H5Aget_type(attribute.id()), H5Tclose);
+      const Hdf5Handle space(H5Aget_space(attribute.id()), H5Sclose);
       check_values(type.id(), space.id(), "an attribute of " + name);
     }
   }
@@ -81,7 +81,7 @@ class Screening {
   }
 
   void check_storage(hid_t dataset, std::size_t value_bytes, const std::string& name) {
-    const Handle creation(H5Dget_create_plist(dataset), H5Pclose);
+    const Hdf5Handle creation(H5Dget_create_plist(dataset), H5Pclose);
     const H5D_layout_t layout = H5Pget_layout(creation.id());
     if (layout != H5D_COMPACT && layout != H5D_CONTIGUOUS && layout != H5D_CHUNKED)
       refuse(name, "is stored in other files");
@@ -149,17 +149,17 @@ class Screening {
 }  // namespace
 
 void screen_hdf5_file(hid_t file, const std::string& path, const Hdf5Bounds& bounds) {
-  const Handle root(H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose);
+  const Hdf5Handle root(H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose);
   if (!root.valid()) throw Error(bounds.refusal, path, "the file has no root group", bounds.refusal_remedy);
   Screening(path, bounds).visit_group(root.id(), "/", 0);
 }
 
-}  // namespace uhas::detail
+}  // namespace uhas
 
 void uhas::check_hdf5_bounds(const std::string& path, const Hdf5Bounds& bounds) {
-  const detail::Hdf5Session session;
-  const detail::Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  const Hdf5Session session;
+  const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   if (!file.valid())
     throw Error(ErrorCode::file_unreadable, path, "cannot be opened as HDF5", "check the path and what wrote the file");
-  detail::screen_hdf5_file(file.id(), path, bounds);
+  screen_hdf5_file(file.id(), path, bounds);
 }

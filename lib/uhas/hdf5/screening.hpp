@@ -7,9 +7,9 @@
 
 #include "uhas/hdf5/bounds.hpp"
 
-namespace uhas::detail {
+namespace uhas {
 
 /// Throws Error: as `check_hdf5_bounds`.
 void screen_hdf5_file(hid_t file, const std::string& path, const Hdf5Bounds& bounds = {});
 
-}  // namespace uhas::detail
+}  // namespace uhas

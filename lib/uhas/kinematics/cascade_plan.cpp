@@ -23,7 +23,8 @@ int next_displaced_joint(const KinematicTree& tree, std::span<const int> finger,
     if (classes[finger[i]] != JointClass::encompassing) continue;
     const Vector3d offset = T_root_joint[finger[i]].translation - T_axis.translation;
     constexpr double negligible_arm = 1e-3;  // of the distance to the last joint
-    if (tree.joints[finger[from]].kind == JointKind::prismatic || norm(orthogonal_part(offset, axis)) > negligible_arm * length)
+    if (tree.joints[finger[from]].kind == JointKind::prismatic ||
+        norm(orthogonal_part(offset, axis)) > negligible_arm * length)
       return finger[i];
   }
   return -1;
@@ -43,8 +44,10 @@ std::vector<CascadeStep> plan_cascade(const KinematicTree& tree, std::span<const
       const int master = master_of(tree, joint);
       if (classes[master] != JointClass::encompassing) continue;
       auto step = std::find_if(steps.begin(), steps.end(), [&](const CascadeStep& s) { return s.joint == master; });
-      if (step == steps.end()) step = steps.insert(steps.end(), {.joint = master, .driven = {}, .fingers = {}, .nodes = {}});
-      if (std::find(step->driven.begin(), step->driven.end(), joint) == step->driven.end()) step->driven.push_back(joint);
+      if (step == steps.end())
+        step = steps.insert(steps.end(), {.joint = master, .driven = {}, .fingers = {}, .nodes = {}});
+      if (std::find(step->driven.begin(), step->driven.end(), joint) == step->driven.end())
+        step->driven.push_back(joint);
       if (std::find(step->fingers.begin(), step->fingers.end(), f) == step->fingers.end()) step->fingers.push_back(f);
     }
   }

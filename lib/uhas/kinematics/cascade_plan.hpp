@@ -16,14 +16,16 @@ struct ContactNode {
 
 /// One unknown: an independent joint together with its mimic followers.
 struct CascadeStep {
-  int joint = -1;                  ///< the independent joint
-  std::vector<int> driven;         ///< joints of fingers that turn with it (itself when a finger has it), in tree order
-  std::vector<int> fingers;        ///< fingers that it moves
-  std::vector<ContactNode> nodes;  ///< one a finger moved: the next encompassing joint that the step displaces, for the last one
-                                   ///< and for a mimic group the fingertip (design 3.4)
+  int joint = -1;            ///< the independent joint
+  std::vector<int> driven;   ///< joints of fingers that turn with it (itself when a finger has it), in tree order
+  std::vector<int> fingers;  ///< fingers that it moves
+  std::vector<ContactNode>
+      nodes;  ///< one a finger moved: the next encompassing joint that the step displaces, for the last one
+              ///< and for a mimic group the fingertip (design 3.4)
 };
 
-/// The encompassing unknowns in solving order: those that move several fingers first, then finger by finger, root to tip.
+/// The encompassing unknowns in solving order: those that move several fingers first, then finger by finger,
+/// root to tip.
 /// @param finger_joints  joint indices root to tip, one list a finger
 /// @param classes        one a joint of `tree`
 /// @param q              the pose in which it is judged what a step displaces (one value a joint): q_open, for wrap and solver alike

@@ -29,13 +29,14 @@ struct Circle {
   Vector3<Real> at(Real t) const { return center + std::cos(t) * u + std::sin(t) * v; }
 };
 
-/// Where nothing is met, a joint leaves open only for a gap smaller by more than this (radii): a point on the joint's axis
-/// moves by rounding alone.
+/// Where nothing is met, a joint leaves open only for a gap smaller by more than this (radii): a point on the joint's
+/// axis moves by rounding alone.
 template <class Real>
 inline constexpr Real kLeastGain = Real(1e-4);
 
-/// Joint value at which the circle first meets the sphere of radius 1 about the origin on the way from open to closed; a
-/// point inside at open is turned outward, toward the opposite end. No meeting: the value of least | |p| - 1 | on the way.
+/// Joint value at which the circle first meets the sphere of radius 1 about the origin on the way from open to
+/// closed; a point inside at open is turned outward, toward the opposite end. No meeting: the value of least | |p| -
+/// 1 | on the way.
 /// |p(t)|^2 = K + A cos t + B sin t, so both the meeting and the extremum have closed forms (design 3.4).
 template <class Real>
 Real first_contact_with_sphere(const Circle<Real>& circle, const JointTravel<Real>& travel) {
@@ -73,8 +74,8 @@ Real first_contact_with_sphere(const Circle<Real>& circle, const JointTravel<Rea
   return gap(best) < gap(travel.open) - kLeastGain<Real> ? best : travel.open;
 }
 
-/// The same for any path and any surface: `gap(t)` is the signed distance of the point from the surface, positive outside.
-/// A fixed number of evaluations: the way is scanned for the first change of sign, which is then halved down.
+/// The same for any path and any surface: `gap(t)` is the signed distance of the point from the surface, positive
+/// outside. A fixed number of evaluations: the way is scanned for the first change of sign, which is then halved down.
 template <class Real, class Gap>
 Real first_contact_by_scan(const Gap& gap, const JointTravel<Real>& travel) {
   constexpr int scan_steps = 48, halvings = std::numeric_limits<Real>::digits;

@@ -24,7 +24,8 @@ void forward_kinematics(const KinematicTree& tree, std::span<const double> q, st
                         std::span<RigidTransformd> T_root_joint);
 
 /// Frames of `links` in the tree's root frame. `q`: one value a joint of `tree`, taken as it is. Allocates.
-std::vector<RigidTransformd> link_poses(const KinematicTree& tree, std::span<const ProfileLink> links, std::span<const double> q);
+std::vector<RigidTransformd> link_poses(const KinematicTree& tree, std::span<const ProfileLink> links,
+                                        std::span<const double> q);
 
 /// `q` held within the joint's limits.
 double clamp_to_limits(const Joint& joint, double q);

@@ -7,8 +7,8 @@
 
 namespace uhas {
 
-/// Joint value at `delta_theta`, which is held within [lower, upper]. Zero returns `inverse_q[m]`, the neutral value, and the
-/// bounds return the ends, bit for bit; no value leaves the range of the table, not by rounding either.
+/// Joint value at `delta_theta`, which is held within [lower, upper]. Zero returns `inverse_q[m]`, the neutral value,
+/// and the bounds return the ends, bit for bit; no value leaves the range of the table, not by rounding either.
 /// @param inverse_q  [2 m + 1] joint values: m equal steps from `lower` <= 0 to 0, m equal steps from 0 to `upper` >= 0
 template <class Real>
 Real look_up_lateral(std::span<const Real> inverse_q, Real lower, Real upper, Real delta_theta) {
@@ -29,7 +29,8 @@ Real look_up_delta_theta(std::span<const Real> inverse_q, Real lower, Real upper
   const int m = static_cast<int>(inverse_q.size() / 2);
   const Real sign = inverse_q.back() < inverse_q.front() ? Real(-1) : Real(1);
   const Real held = std::clamp(sign * q, sign * inverse_q.front(), sign * inverse_q.back());
-  const auto above = std::partition_point(inverse_q.begin() + 1, inverse_q.end() - 1, [&](Real v) { return sign * v < held; });
+  const auto above =
+      std::partition_point(inverse_q.begin() + 1, inverse_q.end() - 1, [&](Real v) { return sign * v < held; });
   const Real before = sign * *(above - 1), after = sign * *above;
   const Real within = after > before ? (held - before) / (after - before) : Real(0);
   const Real position = Real(above - 1 - inverse_q.begin()) + within - Real(m);  // steps away from the middle

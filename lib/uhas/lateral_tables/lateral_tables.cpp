@@ -45,8 +45,8 @@ struct Hand {
   }
 };
 
-/// The finger whose azimuth a lateral joint's table records: of those that it, or a follower of it, belongs to, the one with
-/// the lowest slot; -1 = none.
+/// The finger whose azimuth a lateral joint's table records: of those that it, or a follower of it, belongs to, the one
+/// with the lowest slot; -1 = none.
 int finger_of(const Anatomy& anatomy, const SphereFrame& frame, int joint) {
   int lowest = -1;
   for (int f = 0; f < static_cast<int>(anatomy.fingers.size()); ++f)
@@ -58,7 +58,8 @@ int finger_of(const Anatomy& anatomy, const SphereFrame& frame, int joint) {
 }
 
 /// `count` samples of the joint from `first` to `last`, the other lateral joints as in `q`.
-std::vector<Sample> sweep(const Hand& hand, int joint, int finger, std::vector<double> q, double first, double last, int count) {
+std::vector<Sample> sweep(const Hand& hand, int joint, int finger, std::vector<double> q, double first, double last,
+                          int count) {
   std::vector<Sample> samples;
   for (int k = 0; k < count; ++k) {
     q[joint] = k + 1 == count ? last : first + (last - first) * k / (count - 1);
@@ -87,8 +88,8 @@ Rates rates_of(std::span<const Sample> samples) {
   return rates;
 }
 
-/// Whether the wrap jumps between two samples (an encompassing joint goes over to another contact): halving the interval again
-/// and again leaves most of the step in one half.
+/// Whether the wrap jumps between two samples (an encompassing joint goes over to another contact): halving the
+/// interval again and again leaves most of the step in one half.
 bool jumps(const Hand& hand, int joint, int finger, std::vector<double> q, Sample a, Sample b) {
   constexpr int halvings = 12;
   const double step = std::abs(b.theta - a.theta);
@@ -101,8 +102,8 @@ bool jumps(const Hand& hand, int joint, int finger, std::vector<double> q, Sampl
   return std::abs(b.theta - a.theta) > step / 2;
 }
 
-/// The stretch of samples [first, last] with the widest azimuth range over which the azimuth runs one way, nowhere slower than
-/// 5 % of the sweep's median rate (design 3.6), without a step from k to k + 1 of which `jumps(k)`.
+/// The stretch of samples [first, last] with the widest azimuth range over which the azimuth runs one way, nowhere
+/// slower than 5 % of the sweep's median rate (design 3.6), without a step from k to k + 1 of which `jumps(k)`.
 std::pair<int, int> widest_monotone_stretch(std::span<const Sample> samples, const std::function<bool(int k)>& jumps) {
   const Rates rates = rates_of(samples);
   const auto usable = [&](int k) {
@@ -115,7 +116,9 @@ std::pair<int, int> widest_monotone_stretch(std::span<const Sample> samples, con
   const auto extent = [&](std::pair<int, int> s) { return std::abs(samples[s.second].theta - samples[s.first].theta); };
   for (int first = 0; first < static_cast<int>(rates.rate.size());) {
     int last = first;
-    while (last < static_cast<int>(rates.rate.size()) && (rates.rate[last] > 0) == (rates.rate[first] > 0) && usable(last)) ++last;
+    while (last < static_cast<int>(rates.rate.size()) && (rates.rate[last] > 0) == (rates.rate[first] > 0) &&
+           usable(last))
+      ++last;
     if (extent({first, last}) > extent(best)) best = {first, last};
     first = std::max(last, first + 1);
   }
@@ -132,7 +135,8 @@ double invert(const LateralTable& table, double theta) {
   return std::clamp(table.q[k - 1] + share * (table.q[k] - table.q[k - 1]), table.q[k - 1], table.q[k]);
 }
 
-/// Fills the inverse: knots are doubled until q -> theta -> q returns every sample well within the 1e-3 rad it must hold.
+/// Fills the inverse: knots are doubled until q -> theta -> q returns every sample well within the 1e-3 rad
+/// it must hold.
 void fill_inverse(LateralTable& table) {
   constexpr double round_trip = 2e-4;  // rad
   constexpr int most_knots = 1 << 14;
@@ -144,20 +148,23 @@ void fill_inverse(LateralTable& table) {
     }
     double worst = 0;
     for (std::size_t i = 0; i < table.q.size(); ++i)
-      worst = std::max(worst, std::abs(look_up_lateral<double>(table.inverse_q, table.delta_theta_lower, table.delta_theta_upper,
-                                                               table.theta[i] - table.theta_initial) -
-                                       table.q[i]));
+      worst = std::max(
+          worst, std::abs(look_up_lateral<double>(table.inverse_q, table.delta_theta_lower, table.delta_theta_upper,
+                                                  table.theta[i] - table.theta_initial) -
+                          table.q[i]));
     if (worst <= round_trip) return;
   }
 }
 
-/// The table of `joint`, the other lateral joints as in `q`: a first sweep finds the stretch, a second one samples it evenly
-/// about its middle, so that neutral is a sample of its own. A table that drives its finger has no jump in it; one that only
-/// says where a joint's neutral is may have, since nobody runs through it. Empty, with neutral in the middle of the limits,
-/// when fewer than three samples run one way.
-LateralTable build_table(const Hand& hand, int joint, int finger, const std::vector<double>& q, int steps, bool drives) {
+/// The table of `joint`, the other lateral joints as in `q`: a first sweep finds the stretch, a second one samples it
+/// evenly about its middle, so that neutral is a sample of its own. A table that drives its finger has no jump in it;
+/// one that only says where a joint's neutral is may have, since nobody runs through it. Empty, with neutral in the
+/// middle of the limits, when fewer than three samples run one way.
+LateralTable build_table(const Hand& hand, int joint, int finger, const std::vector<double>& q, int steps,
+                         bool drives) {
   const auto stretch_of = [&](const std::vector<Sample>& samples) {
-    return widest_monotone_stretch(samples, [&](int k) { return drives && jumps(hand, joint, finger, q, samples[k], samples[k + 1]); });
+    return widest_monotone_stretch(
+        samples, [&](int k) { return drives && jumps(hand, joint, finger, q, samples[k], samples[k + 1]); });
   };
   const Joint& j = hand.anatomy.tree.joints[joint];
   const std::vector<Sample> whole = sweep(hand, joint, finger, q, j.lower, j.upper, steps);
@@ -213,7 +220,8 @@ LateralTables build_lateral_tables(const Anatomy& anatomy, const SphereFrame& fr
                                    const LateralTableOptions& options) {
   constexpr int fewest_steps = 11;
   if (options.steps < fewest_steps)
-    throw Error(ErrorCode::invalid_config, "", "a lateral table of " + std::to_string(options.steps) + " steps", "use at least 11");
+    throw Error(ErrorCode::invalid_config, "", "a lateral table of " + std::to_string(options.steps) + " steps",
+                "use at least 11");
   SphereWrapper wrapper(anatomy, frame, classes, q_closed);
   const Hand hand{anatomy, frame, classes, wrapper};
   LateralTables result;
@@ -232,9 +240,10 @@ LateralTables build_lateral_tables(const Anatomy& anatomy, const SphereFrame& fr
 
   // the joint that drives a finger; its table is measured again with the finger's other lateral joints at neutral
   for (int f = 0; f < static_cast<int>(anatomy.fingers.size()); ++f) {
-    const auto rank = [&](int t) {  // a joint that moves its fingertip goes before one that hardly does, then the wider range
-      return std::pair(moves_its_tip(hand, result.tables[t].joint, f, q_neutral), azimuth_range(result.tables[t]));
-    };
+    const auto rank =
+        [&](int t) {  // a joint that moves its fingertip goes before one that hardly does, then the wider range
+          return std::pair(moves_its_tip(hand, result.tables[t].joint, f, q_neutral), azimuth_range(result.tables[t]));
+        };
     int driver = -1;
     for (int t = 0; t < static_cast<int>(result.tables.size()); ++t)
       if (finger_of(anatomy, frame, result.tables[t].joint) == f && (driver < 0 || rank(t) > rank(driver))) driver = t;

@@ -14,14 +14,15 @@ struct LateralTableOptions {
 };
 
 struct LateralTables {
-  std::vector<LateralTable> tables;       ///< one a lateral joint, in the order of the tree
-  std::vector<int> table_of_finger;       ///< the table that drives the finger; -1 = none
-  std::vector<double> q_sphere;           ///< wrapped pose, lateral joints at neutral; one value a joint of the tree
+  std::vector<LateralTable> tables;  ///< one a lateral joint, in the order of the tree
+  std::vector<int> table_of_finger;  ///< the table that drives the finger; -1 = none
+  std::vector<double> q_sphere;      ///< wrapped pose, lateral joints at neutral; one value a joint of the tree
   std::vector<std::string> warnings;
 };
 
 /// Throws Error(invalid_config) for fewer than 11 steps.
-LateralTables build_lateral_tables(const Anatomy& anatomy, const SphereFrame& frame, std::span<const JointClassification> classes,
-                                   std::span<const double> q_closed, const LateralTableOptions& options = {});
+LateralTables build_lateral_tables(const Anatomy& anatomy, const SphereFrame& frame,
+                                   std::span<const JointClassification> classes, std::span<const double> q_closed,
+                                   const LateralTableOptions& options = {});
 
 }  // namespace uhas

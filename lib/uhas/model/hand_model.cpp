@@ -7,23 +7,22 @@
 #include <span>
 #include <string_view>
 
-#include "uhas/fence/child_process.hpp"
 #include "uhas/base/errors.hpp"
+#include "uhas/fence/child_process.hpp"
 #include "uhas/files/file_bytes.hpp"
-#include "uhas/model/urdf/link_order.hpp"
 #include "uhas/model/meshes/mesh_bounds.hpp"
 #include "uhas/model/meshes/mesh_folders.hpp"
 #include "uhas/model/meshes/mesh_path.hpp"
 #include "uhas/model/meshes/mesh_reader.hpp"
 #include "uhas/model/meshes/primitives.hpp"
 #include "uhas/model/meshes/source_file.hpp"
+#include "uhas/model/urdf/link_order.hpp"
 #include "uhas/model/urdf/urdf_reader.hpp"
 
 namespace uhas {
 namespace {
 
 namespace fs = std::filesystem;
-using detail::UrdfShape;
 
 // A part of a hand in its true unit is between 1/100 of the skeleton and a few times it; one in millimetres is a
 // thousand times larger. The bounds lie between.
@@ -51,7 +50,7 @@ double extent(const TriangleMesh& mesh, Vector3d scale) {
 }
 
 // Length of the longest chain of joint origins.
-double skeleton_extent(const detail::Urdf& urdf, const std::vector<detail::OrderedLink>& order) {
+double skeleton_extent(const Urdf& urdf, const std::vector<OrderedLink>& order) {
   std::vector<double> reach(order.size());
   for (std::size_t i = 1; i < order.size(); ++i)
     reach[i] = reach[order[i].parent] + norm(urdf.joints[order[i].joint].joint.T_parent_joint.translation);
@@ -61,20 +60,19 @@ double skeleton_extent(const detail::Urdf& urdf, const std::vector<detail::Order
 // The surfaces of links: mesh files are read first, all together, then placed with the other shapes.
 class GeometryLoader {
  public:
-  GeometryLoader(std::string urdf_file, const LoadOptions& options, detail::SourceLog& sources)
+  GeometryLoader(std::string urdf_file, const LoadOptions& options, SourceLog& sources)
       : urdf_file_(std::move(urdf_file)), options_(options), folders_(urdf_file_, options), sources_(sources) {}
 
   /// @param skeleton  extent of the hand's skeleton (m), which tells meshes in other units
-  void read_mesh_files(std::span<const detail::UrdfLink* const> links, double skeleton,
-                       std::vector<std::string>& warnings) {
-    std::vector<detail::MeshFile> files;
+  void read_mesh_files(std::span<const UrdfLink* const> links, double skeleton, std::vector<std::string>& warnings) {
+    std::vector<MeshFile> files;
     std::vector<const UrdfShape*> first_users;
     std::map<fs::path, std::size_t> known;  // hands use one file for several links; each is read once
-    for (const detail::UrdfLink* link : links)
+    for (const UrdfLink* link : links)
       for (const UrdfShape* shape : shapes_of(*link)) {
         if (shape->kind != UrdfShape::Kind::mesh) continue;
         const fs::path folder = fs::path(urdf_file_).parent_path();
-        const fs::path path = detail::find_mesh(shape->mesh_reference, folder, options_.packages, urdf_file_);
+        const fs::path path = find_mesh(shape->mesh_reference, folder, options_.packages, urdf_file_);
         const auto [entry, is_new] = known.try_emplace(path.lexically_normal(), files.size());
         mesh_of_shape_[shape] = entry->second;
         if (!is_new) continue;
@@ -82,19 +80,19 @@ class GeometryLoader {
         files.push_back({path, shape->mesh_reference});
         first_users.push_back(shape);
       }
-    meshes_ = detail::read_meshes(files, options_, folders_, sources_);
+    meshes_ = read_meshes(files, options_, folders_, sources_);
     for (std::size_t i = 0; i < files.size(); ++i)
       warn_about_units(files[i].reference, extent(meshes_[i], first_users[i]->mesh_scale), skeleton, warnings);
   }
 
-  TriangleMesh surface_of(const detail::UrdfLink& link) {
+  TriangleMesh surface_of(const UrdfLink& link) {
     TriangleMesh result;
     for (const UrdfShape* shape : shapes_of(link)) append(*shape, result);
     return result;
   }
 
  private:
-  std::vector<const UrdfShape*> shapes_of(const detail::UrdfLink& link) const {
+  std::vector<const UrdfShape*> shapes_of(const UrdfLink& link) const {
     const bool wants_visual = options_.geometry != GeometrySource::collision;
     const bool wants_collision = options_.geometry != GeometrySource::visual;
     std::vector<const UrdfShape*> shapes;
@@ -107,12 +105,10 @@ class GeometryLoader {
 
   void append(const UrdfShape& shape, TriangleMesh& result) {
     switch (shape.kind) {
-      case UrdfShape::Kind::box: return append(detail::tessellate_box(shape.box_size), shape, result);
-      case UrdfShape::Kind::cylinder:
-        return append(detail::tessellate_cylinder(shape.radius, shape.length), shape, result);
-      case UrdfShape::Kind::capsule:
-        return append(detail::tessellate_capsule(shape.radius, shape.length), shape, result);
-      case UrdfShape::Kind::sphere: return append(detail::tessellate_sphere(shape.radius), shape, result);
+      case UrdfShape::Kind::box: return append(tessellate_box(shape.box_size), shape, result);
+      case UrdfShape::Kind::cylinder: return append(tessellate_cylinder(shape.radius, shape.length), shape, result);
+      case UrdfShape::Kind::capsule: return append(tessellate_capsule(shape.radius, shape.length), shape, result);
+      case UrdfShape::Kind::sphere: return append(tessellate_sphere(shape.radius), shape, result);
       case UrdfShape::Kind::mesh: return append(meshes_[mesh_of_shape_.at(&shape)], shape, result);
     }
   }
@@ -121,8 +117,7 @@ class GeometryLoader {
   void append(const TriangleMesh& source, const UrdfShape& shape, TriangleMesh& result) {
     triangle_count_ += source.triangles.size();
     vertex_count_ += source.vertices.size();
-    detail::require_within_bounds(triangle_count_, vertex_count_, options_.max_triangles, "the meshes have",
-                                  urdf_file_);
+    require_within_bounds(triangle_count_, vertex_count_, options_.max_triangles, "the meshes have", urdf_file_);
     const Vector3d scale = shape.mesh_scale;
     const bool mirrored = scale.x * scale.y * scale.z < 0;
     constexpr auto unused = std::numeric_limits<std::uint32_t>::max();
@@ -160,23 +155,23 @@ class GeometryLoader {
 
   std::string urdf_file_;
   const LoadOptions& options_;
-  detail::MeshFolders folders_;
-  detail::SourceLog& sources_;
+  MeshFolders folders_;
+  SourceLog& sources_;
   std::map<const UrdfShape*, std::size_t> mesh_of_shape_;  // into `meshes_`
   std::vector<TriangleMesh> meshes_;
   std::uint64_t triangle_count_ = 0, vertex_count_ = 0;  // of all shapes, those that are left behind too
 };
 
 // Folds fixed joints: `links` get their carrying joint, `tree` the movable joints in the order of their child links.
-void build_tree(const detail::Urdf& urdf, const std::vector<detail::OrderedLink>& order,
-                const std::vector<detail::FlatMimic>& mimics, HandModel& model) {
+void build_tree(const Urdf& urdf, const std::vector<OrderedLink>& order, const std::vector<FlatMimic>& mimics,
+                HandModel& model) {
   std::vector<int> index_in_tree(urdf.joints.size(), -1);
   std::vector<int> index_in_urdf;
-  for (const detail::OrderedLink& ordered : order) {
+  for (const OrderedLink& ordered : order) {
     ModelLink link{urdf.links[ordered.link].name, ordered.parent, -1, {}, {}};
     if (ordered.parent >= 0) {
       const ModelLink& parent = model.links[ordered.parent];
-      const detail::UrdfJoint& above = urdf.joints[ordered.joint];
+      const UrdfJoint& above = urdf.joints[ordered.joint];
       link.joint = parent.joint;
       link.T_joint_link = parent.T_joint_link * above.joint.T_parent_joint;
       if (!above.fixed) {
@@ -194,7 +189,7 @@ void build_tree(const detail::Urdf& urdf, const std::vector<detail::OrderedLink>
   }
 
   for (std::size_t j = 0; j < model.tree.joints.size(); ++j) {
-    const detail::FlatMimic& mimic = mimics[index_in_urdf[j]];
+    const FlatMimic& mimic = mimics[index_in_urdf[j]];
     if (mimic.master < 0) continue;
     Joint& joint = model.tree.joints[j];
     joint.mimic_master = index_in_tree[mimic.master];
@@ -216,26 +211,26 @@ HandModel load_hand_model(const std::string& urdf_path, const LoadOptions& optio
                 "expand it first: xacro " + urdf_path + " > hand.urdf");
   const std::vector<std::byte> bytes = read_urdf_file(urdf_path, options);
   const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  const auto read = [&] { return detail::read_urdf(text, urdf_path, options.max_links); };
+  const auto read = [&] { return read_urdf(text, urdf_path, options.max_links); };
   if (options.in_child)  // a rehearsal: this process reads the same bytes in the same state
     in_child(*options.in_child, ErrorCode::invalid_model, urdf_path, [&] { return read(), std::vector<std::byte>(); });
-  const detail::Urdf urdf = read();
-  const std::vector<detail::OrderedLink> order = detail::order_links(urdf, urdf_path);
+  const Urdf urdf = read();
+  const std::vector<OrderedLink> order = order_links(urdf, urdf_path);
 
   HandModel model;
   model.name = urdf.name;
-  build_tree(urdf, order, detail::flatten_mimics(urdf, urdf_path), model);
+  build_tree(urdf, order, flatten_mimics(urdf, urdf_path), model);
   if (model.tree.joints.empty())
     throw Error(ErrorCode::invalid_model, urdf_path, "the model has no movable joint", "name the URDF of a hand");
   for (const Joint& joint : model.tree.joints)
     if (joint.lower == joint.upper)
       model.warnings.push_back("joint '" + joint.name + "' cannot move: its lower and upper limits are equal");
 
-  detail::SourceLog sources(fs::path(urdf_path).parent_path());
+  SourceLog sources(fs::path(urdf_path).parent_path());
   sources.add(urdf_path, urdf_path, bytes);
   if (options.load_meshes) {
-    std::vector<const detail::UrdfLink*> links;
-    for (const detail::OrderedLink& ordered : order) links.push_back(&urdf.links[ordered.link]);
+    std::vector<const UrdfLink*> links;
+    for (const OrderedLink& ordered : order) links.push_back(&urdf.links[ordered.link]);
     GeometryLoader loader(urdf_path, options, sources);
     loader.read_mesh_files(links, skeleton_extent(urdf, order), model.warnings);
     for (std::size_t i = 0; i < links.size(); ++i) model.links[i].mesh = loader.surface_of(*links[i]);

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "uhas/fence/child_process.hpp"
 #include "uhas/base/kinematic_tree.hpp"
+#include "uhas/fence/child_process.hpp"
 #include "uhas/profile/hand_profile.hpp"
 
 namespace uhas {
@@ -58,13 +58,13 @@ struct LoadOptions {
   /// followed; true: anywhere.
   bool allow_outside = false;
 
-  /// For files that may bring a library down: mesh files are read in a child process under these limits, the URDF in one
-  /// first and then here, and a crash is an Error. The tools do. Without limits everything is read in this process, which
-  /// makes no copy of a program with threads (see `in_child`).
+  /// For files that may bring a library down: mesh files are read in a child process under these limits, the URDF in
+  /// one first and then here, and a crash is an Error. The tools do. Without limits everything is read in this process,
+  /// which makes no copy of a program with threads (see `in_child`).
   std::optional<ChildLimits> in_child;
 
   std::uint64_t max_urdf_bytes = 16u << 20;
-  std::uint64_t max_links = 2000;  ///< a chain of 100,000 links overflows the stack of urdfdom
+  std::uint64_t max_links = 2000;             ///< a chain of 100,000 links overflows the stack of urdfdom
   std::uint64_t max_mesh_bytes = 512u << 20;  ///< of each file
   std::uint64_t max_triangles = 20'000'000;   ///< over the whole hand, which has at most three times as many vertices
 };

@@ -222,8 +222,7 @@ class ProfileValidator {
       require(first_slot >= previous_first_slot, {"fingers/slots", i}, "begins before the row above it");
       previous_first_slot = first_slot;
     }
-    for (const int owner_count : owners)
-      require(owner_count > 0, {"fingers/slots"}, "leaves a slot without a finger");
+    for (const int owner_count : owners) require(owner_count > 0, {"fingers/slots"}, "leaves a slot without a finger");
   }
 
   void validate_lateral_tables() const {

@@ -1,6 +1,6 @@
 // The hand profile: all that the runtime knows of a hand. Plain data; `schemas/hand-profile-v1.md` is its file form.
-// Units: metres and radians. Frames: P = palm link, S = sphere frame (fixed to P), L = a link, J = a joint's moved frame.
-// On a left hand (`mirrored`) every azimuth below is canonical, that is the negative of the azimuth in S.
+// Units: metres and radians. Frames: P = palm link, S = sphere frame (fixed to P), L = a link, J = a joint's moved
+// frame. On a left hand (`mirrored`) every azimuth below is canonical, that is the negative of the azimuth in S.
 #pragma once
 
 #include <array>
@@ -52,15 +52,16 @@ struct ProfileLink {
 
 /// Lateral look-up table of one lateral joint (paper, section 3.4), on its monotone stretch.
 struct LateralTable {
-  int joint = -1;                   ///< the lateral joint
-  double neutral = 0;               ///< joint value at delta theta = 0
-  double theta_initial = 0;         ///< canonical azimuth of the fingertip at `neutral`
-  std::vector<double> q;            ///< [n] joint values, uniform steps, increasing
-  std::vector<double> theta;        ///< [n] canonical fingertip azimuth at q, unwrapped, strictly monotone
-  double delta_theta_lower = 0;     ///< <= 0: the lower end of the stretch relative to theta_initial
-  double delta_theta_upper = 0;     ///< >= 0
-  std::vector<double> inverse_q;    ///< [2 m + 1] q at delta theta: m equal steps from `delta_theta_lower` to 0, m from 0 to
-                                    ///< `delta_theta_upper`; element m is `neutral` bit for bit
+  int joint = -1;                ///< the lateral joint
+  double neutral = 0;            ///< joint value at delta theta = 0
+  double theta_initial = 0;      ///< canonical azimuth of the fingertip at `neutral`
+  std::vector<double> q;         ///< [n] joint values, uniform steps, increasing
+  std::vector<double> theta;     ///< [n] canonical fingertip azimuth at q, unwrapped, strictly monotone
+  double delta_theta_lower = 0;  ///< <= 0: the lower end of the stretch relative to theta_initial
+  double delta_theta_upper = 0;  ///< >= 0
+  std::vector<double>
+      inverse_q;  ///< [2 m + 1] q at delta theta: m equal steps from `delta_theta_lower` to 0, m from 0 to
+                  ///< `delta_theta_upper`; element m is `neutral` bit for bit
 
   friend bool operator==(const LateralTable&, const LateralTable&) = default;
 };
@@ -74,9 +75,9 @@ struct ProfileFinger {
   Vector3d p_tip_link;                   ///< fingertip point in the tip link's frame (m)
   Vector3d pad_normal_link;              ///< outward normal of the fingertip's pad, unit, tip link's frame
   double tip_distance = 0;               ///< palm centre to fingertip in the open pose: l of this finger (m)
-  double theta_initial = 0;              ///< canonical azimuth of the fingertip at q_sphere: where its driving plane stands
-  double tip_phi = 0;                    ///< polar angle of the fingertip at q_sphere
-  int lateral_table = -1;                ///< index into `lateral_tables` of the joint that follows delta theta; -1 = none
+  double theta_initial = 0;  ///< canonical azimuth of the fingertip at q_sphere: where its driving plane stands
+  double tip_phi = 0;        ///< polar angle of the fingertip at q_sphere
+  int lateral_table = -1;    ///< index into `lateral_tables` of the joint that follows delta theta; -1 = none
 
   friend bool operator==(const ProfileFinger&, const ProfileFinger&) = default;
 };
@@ -113,30 +114,30 @@ struct SourceFile {
 };
 
 struct HandProfile {
-  std::string hand;                            ///< the robot's name in the URDF
+  std::string hand;  ///< the robot's name in the URDF
   Handedness handedness = Handedness::none;
-  bool mirrored = false;                       ///< canonical azimuth = -azimuth
+  bool mirrored = false;  ///< canonical azimuth = -azimuth
   std::string palm_link;
   std::string root_link;
-  RigidTransformd T_root_palm;                 ///< P in the URDF's root, all non-finger joints at zero clipped to limits
-  RigidTransformd T_palm_sphere;               ///< S in P
-  double radius = 0;                           ///< sphere radius r (m)
-  double radius_scale = 1;                     ///< r = radius_scale * 2 l / pi
-  double mean_tip_distance = 0;                ///< l (m)
-  Vector3d palm_center_palm;                   ///< mean of the finger roots, in P (m)
-  double palm_plane_rms = 0;                   ///< rms distance of the finger roots from the palm plane (m)
+  RigidTransformd T_root_palm;    ///< P in the URDF's root, all non-finger joints at zero clipped to limits
+  RigidTransformd T_palm_sphere;  ///< S in P
+  double radius = 0;              ///< sphere radius r (m)
+  double radius_scale = 1;        ///< r = radius_scale * 2 l / pi
+  double mean_tip_distance = 0;   ///< l (m)
+  Vector3d palm_center_palm;      ///< mean of the finger roots, in P (m)
+  double palm_plane_rms = 0;      ///< rms distance of the finger roots from the palm plane (m)
 
-  KinematicTree tree;                          ///< joints of the fingers (and masters they mimic); root frame P
-  std::vector<JointTraits> joint_traits;       ///< one for each joint of `tree`
-  std::vector<std::string> other_joints;       ///< movable joints of the URDF that no finger has
+  KinematicTree tree;                     ///< joints of the fingers (and masters they mimic); root frame P
+  std::vector<JointTraits> joint_traits;  ///< one for each joint of `tree`
+  std::vector<std::string> other_joints;  ///< movable joints of the URDF that no finger has
   std::vector<ProfileLink> links;
-  std::vector<ProfileFinger> fingers;          ///< ordered by their first slot
+  std::vector<ProfileFinger> fingers;  ///< ordered by their first slot
   std::vector<LateralTable> lateral_tables;
-  std::vector<Correspondence> correspondences; ///< sorted by link; the solver's points are those with weight > 0
+  std::vector<Correspondence> correspondences;  ///< sorted by link; the solver's points are those with weight > 0
 
   std::vector<Finding> findings;
   std::vector<std::string> warnings;
-  std::string settings_json;                   ///< canonical JSON of the build settings; the same settings and model rebuild the profile
+  std::string settings_json;  ///< canonical JSON of the build settings; the same settings and model rebuild the profile
   std::vector<SourceFile> sources;
 
   friend bool operator==(const HandProfile&, const HandProfile&) = default;

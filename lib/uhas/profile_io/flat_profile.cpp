@@ -13,8 +13,6 @@
 namespace uhas {
 namespace {
 
-using namespace detail;
-
 using Length = std::uint32_t;
 
 constexpr std::array<std::uint8_t, 8> kSignature{'u', 'h', 'a', 's', 'f', 'l', 'a', 't'};

@@ -1,5 +1,5 @@
-// A hand profile as flat bytes in memory, for places without HDF5 such as a web page, and from process to process. Not a
-// file format: it has no version of its own, and writer and reader must be of one build.
+// A hand profile as flat bytes in memory, for places without HDF5 such as a web page, and from process to process. Not
+// a file format: it has no version of its own, and writer and reader must be of one build.
 #pragma once
 
 #include <cstddef>

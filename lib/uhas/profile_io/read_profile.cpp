@@ -8,9 +8,9 @@
 namespace uhas {
 
 HandProfile read_profile(const std::string& path) {
-  const std::vector<std::byte> bytes = read_file(path, detail::kMaxProfileBytes);
-  const detail::FormatVersion version = detail::check_user_block(bytes, path);
-  return detail::profile_of_image(bytes, version, path);
+  const std::vector<std::byte> bytes = read_file(path, kMaxProfileBytes);
+  const FormatVersion version = check_user_block(bytes, path);
+  return profile_of_image(bytes, version, path);
 }
 
 HandProfile read_untrusted_profile(const std::string& path, const ChildLimits& limits) {

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "uhas/fence/child_process.hpp"
 #include "uhas/base/errors.hpp"
+#include "uhas/fence/child_process.hpp"
 #include "uhas/profile/hand_profile.hpp"
 
 namespace uhas {

@@ -7,14 +7,14 @@
 namespace uhas {
 
 void reseal_profile(const std::string& path) {
-  std::vector<std::byte> bytes = read_file(path, detail::kMaxProfileBytes);
-  const std::optional<detail::FormatVersion> version = detail::stated_version(bytes);
-  if (!version || bytes.size() <= detail::kUserBlockBytes)
-    throw detail::profile_error(path, "this is not a hand profile: it does not begin with 'uhas-hand-profile'",
-                                "name a file that uhas-build-profile wrote");
-  detail::write_user_block(bytes, *version);
-  detail::check_user_block(bytes, path);  // of a version that this library reads
-  detail::profile_of_image(bytes, *version, path);
+  std::vector<std::byte> bytes = read_file(path, kMaxProfileBytes);
+  const std::optional<FormatVersion> version = stated_version(bytes);
+  if (!version || bytes.size() <= kUserBlockBytes)
+    throw profile_error(path, "this is not a hand profile: it does not begin with 'uhas-hand-profile'",
+                        "name a file that uhas-build-profile wrote");
+  write_user_block(bytes, *version);
+  check_user_block(bytes, path);  // of a version that this library reads
+  profile_of_image(bytes, *version, path);
   replace_file(path, bytes);
 }
 

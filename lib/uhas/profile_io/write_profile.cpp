@@ -8,8 +8,8 @@ namespace uhas {
 
 void write_profile(const HandProfile& profile, const std::string& path) {
   validate_profile(profile, path);
-  const std::vector<std::byte> image = detail::image_of_profile(profile, path);
-  if (image.size() > detail::kMaxProfileBytes)
+  const std::vector<std::byte> image = image_of_profile(profile, path);
+  if (image.size() > kMaxProfileBytes)
     throw Error(ErrorCode::limit_exceeded, path, "the profile would have " + std::to_string(image.size()) + " bytes",
                 "build it with fewer samples");
   replace_file(path, image);

@@ -7,9 +7,9 @@
 
 namespace uhas {
 
-/// An ASCII PLY file, a vertex a correspondence: position (m) and outward normal in S at q_sphere, sRGB colour of
-/// (theta, phi), theta and phi (rad, canonical), rho (sphere radii), weight in the solver, link (index into the file's
-/// comments).
+/// An ASCII PLY file, a vertex a correspondence: position (m) and outward normal in S at q_sphere, sRGB colour
+/// of (theta, phi), theta and phi (rad, canonical), rho (sphere radii), weight in the solver, link (index into
+/// the file's comments).
 std::string correspondences_ply(const HandProfile& profile);
 
 }  // namespace uhas

@@ -1,4 +1,5 @@
-// Cascade Inverse Kinematics (paper, section 3.4 and appendix A; design 3.7 and 3.8): a deformed sphere becomes joint angles.
+// Cascade Inverse Kinematics (paper, section 3.4 and appendix A; design 3.7 and 3.8): a deformed sphere
+// becomes joint angles.
 //
 //   uhas::CascadeSolver<double> solver(uhas::read_profile("hand.h5"));
 //   std::vector<double> q(solver.joint_count());
@@ -41,32 +42,33 @@ struct SolveOptions {
   Rule rule = Rule::correspondence;
   Closing closing = Closing::fade;
   FieldReading field = FieldReading::finger;
-  int passes = 1;  ///< 1..100: sweeps over each finger; more come nearer to the least-squares optimum
+  int passes = 1;                 ///< 1..100: sweeps over each finger; more come nearer to the least-squares optimum
   ActionConvention convention{};  ///< what the numbers of an action mean
 };
 
-/// uhas' own convention, and that of the authors' released simulation code with the rule and closing of its controller: radii
-/// instead of displacements, held toward the pole, azimuth about the opposite normal. By its description only: not yet compared
-/// with output of that code. Its sphere is smaller: build the profile with radius scale 0.8.
+/// uhas' own convention, and that of the authors' released simulation code with the rule and closing of its controller:
+/// radii instead of displacements, held toward the pole, azimuth about the opposite normal. By its description only:
+/// not yet compared with output of that code. Its sphere is smaller: build the profile with radius scale 0.8.
 inline constexpr SolveOptions kUhas{};
-inline constexpr SolveOptions kUhasSim{.rule = Rule::contact,
-                                       .closing = Closing::hard,
-                                       .convention = {.absolute_radii = true, .held_toward_pole = true, .azimuth_sign = -1}};
+inline constexpr SolveOptions kUhasSim{
+    .rule = Rule::contact,
+    .closing = Closing::hard,
+    .convention = {.absolute_radii = true, .held_toward_pole = true, .azimuth_sign = -1}};
 
 /// What a solve found out besides the joint angles. The spans are caller-owned, one element a joint, or empty.
 struct SolveReport {
-  double residual_rms = 0;               ///< root of the weighted mean square distance of points from targets, sphere radii;
-                                         ///< NaN when every point has been dropped
-  std::span<std::uint8_t> at_limit;      ///< 1 where the fitted angle was held at a limit
-  std::span<std::uint8_t> closed;        ///< 1 where the joint closed because no point was left
+  double residual_rms = 0;  ///< root of the weighted mean square distance of points from targets, sphere radii;
+                            ///< NaN when every point has been dropped
+  std::span<std::uint8_t> at_limit;  ///< 1 where the fitted angle was held at a limit
+  std::span<std::uint8_t> closed;    ///< 1 where the joint closed because no point was left
 };
 
 /// Solves one hand. Copies share the constant model and have scratch memory of their own: give each thread its copy.
 template <class Real>
 class CascadeSolver {
  public:
-  /// Throws Error: invalid_profile for a profile that `validate_profile` refuses, invalid_action for passes or numbers of the
-  /// convention out of range.
+  /// Throws Error: invalid_profile for a profile that `validate_profile` refuses, invalid_action for passes or numbers
+  /// of the convention out of range.
   explicit CascadeSolver(const HandProfile& profile, const SolveOptions& options = {});
   CascadeSolver(const CascadeSolver& other);
   CascadeSolver& operator=(const CascadeSolver& other);

@@ -23,7 +23,8 @@ Encoder<Real>::Encoder(const HandProfile& profile, const SolveOptions& options, 
     throw Error(ErrorCode::invalid_action, "", "the number of driving vectors is " + std::to_string(driving_vectors),
                 "choose a number from 1 to 4");
   if (options.convention != ActionConvention{})
-    throw Error(ErrorCode::invalid_action, "", "actions can be encoded in uhas' own convention only", "leave the convention out");
+    throw Error(ErrorCode::invalid_action, "", "actions can be encoded in uhas' own convention only",
+                "leave the convention out");
   const CascadeSolver<Real> solver(profile, options);  // validates both
   const CascadeSolver<Real> relaxed_solver(with_wider_limits(profile), options);
   model_ = std::make_shared<const Model>(profile, options, driving_vectors);

@@ -6,10 +6,10 @@
 //   uhas::Status status = encoder.encode(q, action, report);
 //
 // A finger has three or four joints and V + 1 numbers, so most postures have no action that gives them exactly: the
-// report says how far the nearest one found stays away. A posture that a solve by the rule `correspondence` made without
-// holding a joint at a limit comes back; of one, three or four driving vectors one posture in thousands does not. By the
-// rule `contact` about one in a hundred does not: a joint's contact jumps along the deformed profile, and the descent may
-// stop before it. Read the report.
+// report says how far the nearest one found stays away. A posture that a solve by the rule `correspondence` made
+// without holding a joint at a limit comes back; of one, three or four driving vectors one posture in thousands does
+// not. By the rule `contact` about one in a hundred does not: a joint's contact jumps along the deformed profile, and
+// the descent may stop before it. Read the report.
 //
 // Constructing may throw and allocates; encoding does neither, takes no lock and reads no clock.
 #pragma once
@@ -34,7 +34,8 @@ class Encoder {
  public:
   /// @param options          of the solver whose inverse this is
   /// @param driving_vectors  V, 1 to 4, at their default angles pi j / (V + 1)
-  /// Throws Error: as CascadeSolver; invalid_action for V out of range and for an action convention other than uhas' own.
+  /// Throws Error: as CascadeSolver; invalid_action for V out of range and for an action convention other
+  /// than uhas' own.
   explicit Encoder(const HandProfile& profile, const SolveOptions& options = {}, int driving_vectors = 2);
   Encoder(const Encoder& other);
   Encoder& operator=(const Encoder& other);

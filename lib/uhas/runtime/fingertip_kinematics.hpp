@@ -4,8 +4,8 @@
 //   std::vector<float> tips(3 * kinematics.finger_count());
 //   uhas::Status status = kinematics.fingertips(q, tips);
 //
-// Frames of all joints, in double: uhas/kinematics/forward_kinematics.hpp. Constructing may throw and allocates; the rest
-// does neither, takes no lock, reads no clock and keeps no state: one object serves any number of threads.
+// Frames of all joints, in double: uhas/kinematics/forward_kinematics.hpp. Constructing may throw and allocates; the
+// rest does neither, takes no lock, reads no clock and keeps no state: one object serves any number of threads.
 #pragma once
 
 #include <memory>

@@ -13,9 +13,9 @@ enum class InstructionSet : int {
 /// Whether this library was built with `set` and this processor has it.
 bool is_available(InstructionSet set) noexcept;
 
-/// The widest one available, but none wider than the environment variable UHAS_INSTRUCTION_SET names: `scalar`,
-/// `baseline` or `avx2`. Any other value counts as unset. Reads the environment: for set-up code, not for the real-time
-/// path.
+/// The widest one available, but none wider than the environment variable UHAS_INSTRUCTION_SET names:
+/// `scalar`, `baseline` or `avx2`. Any other value counts as unset. Reads the environment: for set-up code,
+/// not for the real-time path.
 InstructionSet widest_instruction_set() noexcept;
 
 /// The name above; never null.

@@ -7,8 +7,8 @@
 
 namespace uhas {
 
-/// Indices into the profile's joints, increasing; a mimic follower stands beside its master. Every joint is in one of
-/// the two.
+/// Indices into the profile's joints, increasing; a mimic follower stands beside its master. Every joint is in one
+/// of the two.
 std::vector<int> lateral_joints(const HandProfile& profile);
 std::vector<int> encompassing_joints(const HandProfile& profile);
 

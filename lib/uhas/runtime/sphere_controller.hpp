@@ -13,8 +13,8 @@
 //   step     (1 - exp(-dt / time_constant)) (goal - target): first-order smoothing, exact for any sequence of dt
 //   target   += step, held within +- velocity_scale * velocity limit * dt
 //
-// Mimic followers keep their relation to their master at every update; a group of them is as slow as its slowest
-// member.
+// Mimic followers keep their relation to their master at every update; a group of them is as slow as
+// its slowest member.
 //
 // Constructing may throw and allocates; updating does neither, takes no lock and reads no clock.
 #pragma once
@@ -35,8 +35,8 @@ struct SphereControllerOptions {
   SolveOptions solve{};
 };
 
-/// Controls hands of one kind. Copies share the constant model and have scratch memory of their own: give each thread
-/// its copy.
+/// Controls hands of one kind. Copies share the constant model and have scratch memory of their own: give each
+/// thread its copy.
 template <class Real>
 class SphereController {
  public:
@@ -46,8 +46,8 @@ class SphereController {
   /// Length of q and of the targets: every joint of the profile, mimic followers included.
   int joint_count() const noexcept;
 
-  /// Begins at a posture, usually the measured one: held within the joints' limits, followers where their masters put
-  /// them.
+  /// Begins at a posture, usually the measured one: held within the joints' limits, followers where their
+  /// masters put them.
   /// @param q        [joint_count()] rad (m for sliding joints), in the profile's joint order
   /// @param targets  [joint_count()] out; untouched on any status but ok
   Status reset(std::span<const Real> q, std::span<Real> targets) const noexcept;

@@ -11,25 +11,27 @@
 namespace uhas {
 
 struct SphereFrameOptions {
-  double radius_scale = 1;   ///< r = radius_scale * 2 l / pi
-  bool merge_pinky = false;  ///< a five-finger hand averages slots 0 and 1 for ring and pinky (the paper's 4-plane variant)
+  double radius_scale = 1;  ///< r = radius_scale * 2 l / pi
+  bool merge_pinky =
+      false;  ///< a five-finger hand averages slots 0 and 1 for ring and pinky (the paper's 4-plane variant)
 };
 
 struct SphereFrame {
-  RigidTransformd T_palm_sphere;                          ///< S in P; lengths stay metres
-  double radius = 0;                                      ///< r (m)
+  RigidTransformd T_palm_sphere;  ///< S in P; lengths stay metres
+  double radius = 0;              ///< r (m)
   double radius_scale = 1;
-  double mean_tip_distance = 0;                           ///< l (m)
-  Vector3d palm_center_palm;                              ///< mean of the finger roots, in P (m)
-  double palm_plane_rms = 0;                              ///< rms distance of the finger roots from the plane through the palm centre (m)
-  bool mirrored = false;                                  ///< a left hand: canonical azimuth = -azimuth
+  double mean_tip_distance = 0;  ///< l (m)
+  Vector3d palm_center_palm;     ///< mean of the finger roots, in P (m)
+  double palm_plane_rms = 0;     ///< rms distance of the finger roots from the plane through the palm centre (m)
+  bool mirrored = false;         ///< a left hand: canonical azimuth = -azimuth
 
   /// One element a finger of the anatomy:
-  std::vector<double> tip_distance;                       ///< palm centre to fingertip at the open pose (m)
-  std::vector<double> open_azimuth;                       ///< canonical azimuth of the open fingertip
-  std::vector<std::array<bool, kSlotCount>> slots;        ///< the action slots it owns
-  std::vector<int> own_slot;                              ///< the one of these that no finger shares but on request
-  std::vector<std::string> names;                         ///< pinky, ring, middle, index, thumb for 4 and 5 fingers with a thumb, else finger1...
+  std::vector<double> tip_distance;                 ///< palm centre to fingertip at the open pose (m)
+  std::vector<double> open_azimuth;                 ///< canonical azimuth of the open fingertip
+  std::vector<std::array<bool, kSlotCount>> slots;  ///< the action slots it owns
+  std::vector<int> own_slot;                        ///< the one of these that no finger shares but on request
+  std::vector<std::string>
+      names;  ///< pinky, ring, middle, index, thumb for 4 and 5 fingers with a thumb, else finger1...
 
   std::vector<std::string> warnings;
 };

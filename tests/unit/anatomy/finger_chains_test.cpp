@@ -1,7 +1,8 @@
+#include "uhas/anatomy/fingers/finger_chains.hpp"
+
 #include <doctest/doctest.h>
 
 #include "support/toy_hand.hpp"
-#include "uhas/anatomy/fingers/finger_chains.hpp"
 #include "uhas/base/errors.hpp"
 
 using namespace uhas;

@@ -1,5 +1,5 @@
-// Every key of the hand config, set alone: it decides its item, leaves the others, and is refused when it makes no
-// sense.
+// Every key of the hand config, set alone: it decides its item, leaves the others, and is refused when it
+// makes no sense.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -198,11 +198,13 @@ TEST_CASE("randomised action spaces and the other convention are those of C++, i
     std::vector<double> q(3 * kJoints), q_batch(q.size()), q_expected(q.size());
     CHECK(uhas_solver_solve(solver.get, actions.data(), actions.size(), &action_options, q.data(), q.size(), nullptr) ==
           UHAS_OK);
-    CHECK(uhas_batch_solve(batch, actions.data(), actions.size(), &action_options, nullptr, q_batch.data(), q_batch.size(),
-                           nullptr) == UHAS_OK);
+    CHECK(uhas_batch_solve(batch, actions.data(), actions.size(), &action_options, nullptr, q_batch.data(),
+                           q_batch.size(), nullptr) == UHAS_OK);
     for (std::size_t n = 0; n < 3; ++n)
-      REQUIRE(expected.solve({.values = std::span(actions).subspan(15 * n, 15), .azimuth_offsets = offsets, .radial_bounds = bounds},
-                             std::span(q_expected).subspan(kJoints * n, kJoints)) == Status::ok);
+      REQUIRE(
+          expected.solve(
+              {.values = std::span(actions).subspan(15 * n, 15), .azimuth_offsets = offsets, .radial_bounds = bounds},
+              std::span(q_expected).subspan(kJoints * n, kJoints)) == Status::ok);
     CHECK(q == q_expected);
     for (std::size_t i = 0; i < q.size(); ++i) CHECK(std::abs(q_batch[i] - q_expected[i]) < 1e-10);
     uhas_batch_free(batch);
@@ -298,7 +300,8 @@ TEST_CASE("a controller approaches solutions as C++ does") {
   CHECK(targets == expected);
   const std::vector<float> solution_f(solutions.begin(), solutions.begin() + kJoints);
   std::vector<float> target_f(kJoints), expected_f = target_f;
-  REQUIRE(uhas_controller_approach_f(controller.get, solution_f.data(), kJoints, 0.01f, target_f.data(), kJoints) == UHAS_OK);
+  REQUIRE(uhas_controller_approach_f(controller.get, solution_f.data(), kJoints, 0.01f, target_f.data(), kJoints) ==
+          UHAS_OK);
   SphereController<float>(test::small_profile()).approach(solution_f, 0.01f, expected_f);
   CHECK(target_f == expected_f);
   CHECK(uhas_controller_approach(controller.get, solutions.data(), 5, 0.01, targets.data(), 10) == UHAS_WRONG_SIZE);

@@ -1,3 +1,5 @@
+#include "uhas/collision/action_way.hpp"
+
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -5,7 +7,6 @@
 
 #include "support/random_action.hpp"
 #include "support/small_profile.hpp"
-#include "uhas/collision/action_way.hpp"
 #include "uhas/runtime/cascade_solver.hpp"
 
 using namespace uhas;

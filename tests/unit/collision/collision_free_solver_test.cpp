@@ -12,8 +12,8 @@
 #include "support/random_action.hpp"
 #include "support/sliding_boxes.hpp"
 #include "support/toy_hand.hpp"
-#include "uhas/profile_builder/build_profile.hpp"
 #include "uhas/kinematics/forward_kinematics.hpp"
+#include "uhas/profile_builder/build_profile.hpp"
 
 using namespace uhas;
 using namespace uhas::test;

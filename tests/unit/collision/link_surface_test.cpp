@@ -1,3 +1,5 @@
+#include "uhas/collision/surfaces/link_surface.hpp"
+
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -6,7 +8,6 @@
 
 #include "support/mesh_contact.hpp"
 #include "support/sliding_boxes.hpp"
-#include "uhas/collision/surfaces/link_surface.hpp"
 
 using namespace uhas;
 using namespace uhas::test;

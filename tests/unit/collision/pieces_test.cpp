@@ -1,7 +1,8 @@
+#include "uhas/collision/surfaces/pieces.hpp"
+
 #include <doctest/doctest.h>
 
 #include "support/sliding_boxes.hpp"
-#include "uhas/collision/surfaces/pieces.hpp"
 
 using namespace uhas;
 using namespace uhas::test;

@@ -37,8 +37,8 @@ void check_same_sphere_points(const Correspondences& a, const Correspondences& b
   }
 }
 
-/// Number of the Fibonacci directions that pass the plate of half sizes `half_y`, `half_z` at distance 0.1 and azimuth
-/// kAngle.
+/// Number of the Fibonacci directions that pass the plate of half sizes `half_y`, `half_z` at distance 0.1
+/// and azimuth kAngle.
 int directions_through_plate(int samples, double half_y, double half_z) {
   int count = 0;
   for (int i = 0; i < samples; ++i) {

@@ -1,10 +1,10 @@
+#include "uhas/correspondences/point_weights.hpp"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <random>
 #include <vector>
-
-#include "uhas/correspondences/point_weights.hpp"
 
 namespace uhas {
 namespace {

@@ -1,7 +1,8 @@
+#include "uhas/correspondences/rays/ray_caster.hpp"
+
 #include <doctest/doctest.h>
 
 #include "toy_hand.hpp"
-#include "uhas/correspondences/rays/ray_caster.hpp"
 
 namespace uhas {
 

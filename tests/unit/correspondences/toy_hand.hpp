@@ -58,8 +58,8 @@ inline ToyHand toy_hand(TriangleMesh palm, TriangleMesh finger) {
   return hand;
 }
 
-/// The toy hand as its own image in the plane y = 0; triangles keep the order of their corners, so solids turn inside
-/// out.
+/// The toy hand as its own image in the plane y = 0; triangles keep the order of their corners, so solids
+/// turn inside out.
 inline ToyHand mirrored(ToyHand hand) {
   const auto mirror = [](Vector3d p) { return Vector3d{p.x, -p.y, p.z}; };
   for (ModelLink& link : hand.model.links)

@@ -1,7 +1,8 @@
+#include "uhas/correspondences/rays/triangle.hpp"
+
 #include <doctest/doctest.h>
 
 #include "toy_hand.hpp"
-#include "uhas/correspondences/rays/triangle.hpp"
 
 namespace uhas {
 namespace {

@@ -1,9 +1,10 @@
+#include "uhas/evaluation/least_squares/optimum.hpp"
+
 #include <doctest/doctest.h>
 
 #include <cmath>
 
 #include "support/slider_profile.hpp"
-#include "uhas/evaluation/least_squares/optimum.hpp"
 
 using namespace uhas;
 

@@ -1,3 +1,5 @@
+#include "uhas/evaluation/parallel.hpp"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -5,8 +7,6 @@
 #include <functional>
 #include <stdexcept>
 #include <vector>
-
-#include "uhas/evaluation/parallel.hpp"
 
 using namespace uhas;
 

@@ -43,7 +43,7 @@ TEST_CASE("SHA-256 does not depend on how the bytes are cut into pieces") {
 }
 
 TEST_CASE("the processor's own instructions agree with plain code") {
-  using namespace uhas::detail;
+  using namespace uhas;
   const Sha256Compress own = sha256_compress_x86();
   if (!own) {
     MESSAGE("SKIPPED: this processor has no SHA instructions");

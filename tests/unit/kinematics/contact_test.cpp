@@ -1,9 +1,9 @@
 // First contact against a fine brute-force scan.
+#include "uhas/kinematics/contact.hpp"
+
 #include <doctest/doctest.h>
 
 #include <random>
-
-#include "uhas/kinematics/contact.hpp"
 
 using namespace uhas;
 

@@ -1,11 +1,11 @@
+#include "uhas/kinematics/lateral_lookup.hpp"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
-
-#include "uhas/kinematics/lateral_lookup.hpp"
 
 using namespace uhas;
 
@@ -31,7 +31,8 @@ TEST_CASE("the bounds give the ends of the table bit for bit, and no value lies 
       std::ranges::sort(inverse);
       if (n % 2 == 1) std::ranges::reverse(inverse);
       const auto [least, most] = std::ranges::minmax(inverse);
-      const Real lower = -static_cast<Real>(std::abs(value(random))), upper = static_cast<Real>(std::abs(value(random)));
+      const Real lower = -static_cast<Real>(std::abs(value(random))),
+                 upper = static_cast<Real>(std::abs(value(random)));
       const auto at = [&](Real delta) { return look_up_lateral<Real>(inverse, lower, upper, delta); };
       CHECK(at(lower) == inverse.front());
       CHECK(at(upper) == inverse.back());
@@ -51,7 +52,8 @@ TEST_CASE("a side without room stays at neutral") {
 }
 
 TEST_CASE("the way back inverts the look-up, for tables that rise and tables that fall") {
-  for (const std::vector<double>& inverse : {std::vector<double>{-0.4, -0.3, 0.1, 0.5, 1.1}, {1.1, 0.5, 0.1, -0.3, -0.4}}) {
+  for (const std::vector<double>& inverse :
+       {std::vector<double>{-0.4, -0.3, 0.1, 0.5, 1.1}, {1.1, 0.5, 0.1, -0.3, -0.4}}) {
     for (double delta = -0.2; delta <= 0.6; delta += 0.01) {
       const double q = look_up_lateral<double>(inverse, -0.2, 0.6, delta);
       CHECK(look_up_delta_theta<double>(inverse, -0.2, 0.6, q) == doctest::Approx(delta).epsilon(1e-12));

@@ -31,8 +31,8 @@ int add_turn(SphereHand& hand, int parent, Vector3d origin, double lower, double
   return add_hinge(hand.tree(), parent, origin, {0, 0, 1}, lower, upper);
 }
 
-/// A finger of nothing but a joint that turns its tip on a circle of radius `arm` about an upright axis at x =
-/// `axis_x`.
+/// A finger of nothing but a joint that turns its tip on a circle of radius `arm` about an upright axis at
+/// x = `axis_x`.
 SphereHand rod(double axis_x, double arm, double lower, double upper) {
   SphereHand hand;
   hand.add_finger({add_turn(hand, -1, {axis_x, 0, -1}, lower, upper)}, {axis_x + arm, 0, -1});

@@ -344,7 +344,8 @@ TEST_CASE("nodes of a DAE that stand for others, and without end in a child proc
   }
   LoadOptions options;
   options.in_child = {.max_memory_bytes = 256u << 20, .max_seconds = 5};
-  for (const std::string& nodes : {doubling + last, node("first", stand_for("second")) + node("second", stand_for("first"))}) {
+  for (const std::string& nodes :
+       {doubling + last, node("first", stand_for("second")) + node("second", stand_for("first"))}) {
     folder.write("a.dae", with_library(nodes));
     try {
       load_hand_model(urdf, options);
@@ -367,7 +368,8 @@ TEST_CASE("a DAE whose indices are no numbers, or which counts more than it can 
     std::string text = dae("Z_UP");
     return text.replace(text.find(from), from.size(), to);
   };
-  for (const char* indices : {"<p>0 z 1", "<p><![CDATA[z]]>0 2 1", "<p><!-- --> z 2 1", "<p><x/>z 2 1", "<p>0 &#122; 1"})
+  for (const char* indices :
+       {"<p>0 z 1", "<p><![CDATA[z]]>0 2 1", "<p><!-- --> z 2 1", "<p><x/>z 2 1", "<p>0 &#122; 1"})
     check_mesh_error("a.dae", changed("<p>0 2 1", indices), ErrorCode::invalid_mesh, {"a.dae:1", "list of indices"});
   for (const char* count : {"4000000000", "-1", "0x10", "&#57;999", ""})
     check_mesh_error("a.dae", changed("<triangles count=\"4\"", "<triangles count = '" + std::string(count) + "'"),

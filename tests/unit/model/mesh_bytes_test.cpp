@@ -1,10 +1,10 @@
 // What a child process hands over of a mesh comes back as it was; bytes that are no mesh are refused.
-#include "model_fixture.hpp"
 #include "uhas/model/meshes/mesh_bytes.hpp"
+
+#include "model_fixture.hpp"
 
 using namespace uhas;
 using namespace uhas::test;
-using detail::ReadMesh;
 
 namespace {
 
@@ -24,15 +24,15 @@ bool same(const ReadMesh& a, const ReadMesh& b) {
 
 TEST_CASE("a mesh and its sources come back as they were, an empty one too") {
   for (const ReadMesh& read : {two_triangles(), ReadMesh{}})
-    CHECK(same(detail::read_mesh_from_bytes(detail::to_bytes(read), "a.stl"), read));
+    CHECK(same(read_mesh_from_bytes(to_bytes(read), "a.stl"), read));
 }
 
 TEST_CASE("bytes that end early are refused, unless they end after a source") {
-  const std::vector<std::byte> bytes = detail::to_bytes(two_triangles());
+  const std::vector<std::byte> bytes = to_bytes(two_triangles());
   std::size_t whole = 0;
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     try {
-      const ReadMesh read = detail::read_mesh_from_bytes(std::span(bytes).first(size), "a.stl");
+      const ReadMesh read = read_mesh_from_bytes(std::span(bytes).first(size), "a.stl");
       CHECK(read.sources.size() < 2);
       ++whole;
     } catch (const Error& error) {
@@ -44,7 +44,7 @@ TEST_CASE("bytes that end early are refused, unless they end after a source") {
 }
 
 TEST_CASE("a length beyond the bytes is refused before it is allocated") {
-  std::vector<std::byte> bytes = detail::to_bytes(two_triangles());
+  std::vector<std::byte> bytes = to_bytes(two_triangles());
   std::fill_n(bytes.begin(), 8, std::byte{0xff});
-  CHECK_THROWS_AS(detail::read_mesh_from_bytes(bytes, "a.stl"), Error);
+  CHECK_THROWS_AS(read_mesh_from_bytes(bytes, "a.stl"), Error);
 }

@@ -1,10 +1,11 @@
 // The PLY reader by itself: every type of number, and what is said of each mistake in a file.
+#include "uhas/model/meshes/ply_reader.hpp"
+
 #include <algorithm>
 #include <span>
 
 #include "mesh_files.hpp"
 #include "model_fixture.hpp"
-#include "uhas/model/meshes/ply_reader.hpp"
 
 using namespace uhas;
 using namespace uhas::test;
@@ -16,7 +17,7 @@ constexpr const char* kFaces = "element face 1\nproperty list uchar int vertex_i
 constexpr const char* kCorners = "0 0 0\n1 0 0\n0 1 0\n";
 
 TriangleMesh read(const std::string& text, std::uint64_t max_triangles = 100) {
-  return detail::read_ply(std::as_bytes(std::span(text)), "a.ply", max_triangles);
+  return read_ply(std::as_bytes(std::span(text)), "a.ply", max_triangles);
 }
 
 std::string ascii(const std::string& elements, const std::string& body = "") {
@@ -90,6 +91,7 @@ TEST_CASE("a mistake in the numbers is named") {
 TEST_CASE("a bound on the triangles names the option that raises it") {
   const std::string text = ascii(std::string(kVertices) + kFaces, kCorners + std::string("5 0 1 2 1 0\n"));
   CHECK(read(text, 3).triangles.size() == 3);
-  check_error([&] { read(text, 2); }, ErrorCode::limit_exceeded,
-              {"a.ply: the mesh has more triangles than the bound of 2 for a hand; ", "raise the bound by --max-triangles"});
+  check_error(
+      [&] { read(text, 2); }, ErrorCode::limit_exceeded,
+      {"a.ply: the mesh has more triangles than the bound of 2 for a hand; ", "raise the bound by --max-triangles"});
 }

@@ -8,8 +8,8 @@
 #include "support/error_check.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/small_profile.hpp"
-#include "uhas/profile_io/read_profile.hpp"
 #include "uhas/profile_io/image/user_block.hpp"
+#include "uhas/profile_io/read_profile.hpp"
 #include "uhas/profile_io/write_profile.hpp"
 
 using namespace uhas;
@@ -22,13 +22,13 @@ constexpr std::array<hsize_t, 1> twelve{12};
 struct Fixture {
   Fixture() : path(folder.file("hand.h5")) { write_profile(small_profile(), path); }
 
-  void edit(const std::function<void(hid_t)>& change, detail::FormatVersion version = {1, 0}) const {
+  void edit(const std::function<void(hid_t)>& change, FormatVersion version = {1, 0}) const {
     const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
     REQUIRE(file >= 0);
     change(file);
     REQUIRE(H5Fclose(file) >= 0);
     std::string bytes = read_bytes(path);
-    detail::write_user_block(std::as_writable_bytes(std::span(bytes)), version);
+    write_user_block(std::as_writable_bytes(std::span(bytes)), version);
     write_bytes(path, bytes);
   }
   void check_refusal(const std::string& words, ErrorCode code = ErrorCode::invalid_profile) const {
@@ -319,7 +319,7 @@ TEST_CASE_FIXTURE(Fixture, "a sealed file of another format is refused") {
 
 TEST_CASE_FIXTURE(Fixture, "a right user block before something else is refused") {
   std::string bytes(4096, 'x');
-  detail::write_user_block(std::as_writable_bytes(std::span(bytes)), {1, 0});
+  write_user_block(std::as_writable_bytes(std::span(bytes)), {1, 0});
   write_bytes(path, bytes);
   check_refusal("the content is not HDF5");
 }

@@ -7,10 +7,10 @@
 #include "support/arch_profile.hpp"
 #include "support/random_action.hpp"
 #include "support/small_profile.hpp"
+#include "uhas/kinematics/forward_kinematics.hpp"
 #include "uhas/runtime/cascade/action_decoder.hpp"
 #include "uhas/runtime/cascade_solver.hpp"
 #include "uhas/runtime/encoder.hpp"
-#include "uhas/kinematics/forward_kinematics.hpp"
 
 using namespace uhas;
 

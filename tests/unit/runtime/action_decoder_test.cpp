@@ -1,9 +1,10 @@
+#include "uhas/runtime/cascade/action_decoder.hpp"
+
 #include <doctest/doctest.h>
 
 #include <limits>
 
 #include "support/small_profile.hpp"
-#include "uhas/runtime/cascade/action_decoder.hpp"
 
 using namespace uhas;
 

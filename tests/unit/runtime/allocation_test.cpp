@@ -1,5 +1,5 @@
-// The real-time path allocates nothing, failures included: malloc, which operator new calls, is counted over 10,000
-// calls.
+// The real-time path allocates nothing, failures included: malloc, which operator new calls, is counted
+// over 10,000 calls.
 #include <dlfcn.h>
 #include <doctest/doctest.h>
 

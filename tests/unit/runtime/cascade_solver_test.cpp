@@ -1,4 +1,6 @@
 // The solver on the small profile: coupled joints, a sliding joint, a left hand, shared slots.
+#include "uhas/runtime/cascade_solver.hpp"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -9,10 +11,9 @@
 #include "support/mirrored_profile.hpp"
 #include "support/random_action.hpp"
 #include "support/small_profile.hpp"
-#include "uhas/runtime/batch_solver.hpp"
-#include "uhas/runtime/cascade_solver.hpp"
 #include "uhas/kinematics/forward_kinematics.hpp"
 #include "uhas/kinematics/lateral_lookup.hpp"
+#include "uhas/runtime/batch_solver.hpp"
 
 using namespace uhas;
 
@@ -36,7 +37,8 @@ double cost(const HandProfile& profile, const std::vector<double>& q, double del
     const double anchored = std::min(c.phi / (std::numbers::pi / 3), 1.0);
     const double turn = link.joint <= 2 ? delta_theta : 0;
     const Vector3d t = from_spherical<double>({-(c.theta + turn), c.phi, c.rho + anchored * delta_r});
-    const Vector3d p = profile.T_palm_sphere.inverse() * (T[link.joint] * (link.T_joint_link * c.p_link)) / profile.radius;
+    const Vector3d p =
+        profile.T_palm_sphere.inverse() * (T[link.joint] * (link.T_joint_link * c.p_link)) / profile.radius;
     sum += c.weight * dot(p - t, p - t);
   }
   return sum;
@@ -53,8 +55,11 @@ std::vector<double> uniform_action(double delta_r) {
 TEST_CASE("the zero action is a fixed point of the correspondence rule") {
   const HandProfile profile = test::small_profile();
   for (int passes : {1, 2, 5}) {
-    const std::vector<double> q = solve(profile, std::vector<double>(15, 0.0), {.rule = Rule::correspondence, .closing = Closing::fade, .field = FieldReading::finger, .passes = passes});
-    for (std::size_t i = 0; i < q.size(); ++i) CHECK(q[i] == doctest::Approx(profile.joint_traits[i].q_sphere).epsilon(1e-9));
+    const std::vector<double> q = solve(
+        profile, std::vector<double>(15, 0.0),
+        {.rule = Rule::correspondence, .closing = Closing::fade, .field = FieldReading::finger, .passes = passes});
+    for (std::size_t i = 0; i < q.size(); ++i)
+      CHECK(q[i] == doctest::Approx(profile.joint_traits[i].q_sphere).epsilon(1e-9));
   }
 }
 
@@ -64,14 +69,17 @@ TEST_CASE("mimic followers follow and lateral joints obey the table") {
   std::fill_n(action.begin(), 4, -0.1);
   const std::vector<double> q = solve(profile, action);
   CHECK(q[2] == doctest::Approx(0.8 * q[1] + 0.05));
-  CHECK(q[0] == doctest::Approx(look_up_lateral<double>(profile.lateral_tables[0].inverse_q, profile.lateral_tables[0].delta_theta_lower,
+  CHECK(q[0] == doctest::Approx(look_up_lateral<double>(profile.lateral_tables[0].inverse_q,
+                                                        profile.lateral_tables[0].delta_theta_lower,
                                                         profile.lateral_tables[0].delta_theta_upper, -0.1)));
 }
 
 TEST_CASE("many passes end in a minimum of the weighted squared distance") {
   const HandProfile profile = test::small_profile();
   for (double delta_r : {-0.15, 0.1, 0.2}) {
-    const std::vector<double> q = solve(profile, uniform_action(delta_r), {.rule = Rule::correspondence, .closing = Closing::fade, .field = FieldReading::finger, .passes = 100});
+    const std::vector<double> q =
+        solve(profile, uniform_action(delta_r),
+              {.rule = Rule::correspondence, .closing = Closing::fade, .field = FieldReading::finger, .passes = 100});
     const double best = cost(profile, q, 0, delta_r);
     for (int joint : {1, 3, 4}) {
       for (double step : {-1e-3, 1e-3}) {
@@ -91,7 +99,8 @@ TEST_CASE("many passes end in a minimum of the weighted squared distance") {
 TEST_CASE("full contraction closes every encompassing joint and reports it") {
   const HandProfile profile = test::small_profile();
   for (Closing closing : {Closing::fade, Closing::hard}) {
-    CascadeSolver<double> solver(profile, {.rule = Rule::correspondence, .closing = closing, .field = FieldReading::finger, .passes = 1});
+    CascadeSolver<double> solver(
+        profile, {.rule = Rule::correspondence, .closing = closing, .field = FieldReading::finger, .passes = 1});
     std::vector<double> q(solver.joint_count());
     std::vector<std::uint8_t> closed(q.size());
     SolveReport report{.residual_rms = 0, .at_limit = {}, .closed = closed};
@@ -151,8 +160,10 @@ TEST_CASE("a mirror image of a left hand solves like the right hand") {
   for (int n = 0; n < 200; ++n) {
     const std::vector<double> action = test::random_action(random, 0.5, 1.5);
     for (FieldReading field : {FieldReading::finger, FieldReading::field}) {
-      const std::vector<double> a = solve(left, action, {.rule = Rule::correspondence, .closing = Closing::fade, .field = field, .passes = 2});
-      const std::vector<double> b = solve(right, action, {.rule = Rule::correspondence, .closing = Closing::fade, .field = field, .passes = 2});
+      const std::vector<double> a =
+          solve(left, action, {.rule = Rule::correspondence, .closing = Closing::fade, .field = field, .passes = 2});
+      const std::vector<double> b =
+          solve(right, action, {.rule = Rule::correspondence, .closing = Closing::fade, .field = field, .passes = 2});
       for (std::size_t i = 0; i < a.size(); ++i) CHECK(a[i] == doctest::Approx(b[i]).epsilon(1e-9));
     }
   }

@@ -1,8 +1,8 @@
+#include "uhas/runtime/encoding/damped_least_squares.hpp"
+
 #include <doctest/doctest.h>
 
 #include <random>
-
-#include "uhas/runtime/encoding/damped_least_squares.hpp"
 
 using namespace uhas;
 

@@ -1,5 +1,5 @@
-// The functions of lanes over whole arrays, compiled once for each instruction set, behind a boundary of plain
-// pointers.
+// The functions of lanes over whole arrays, compiled once for each instruction set, behind a boundary
+// of plain pointers.
 #pragma once
 
 #include "uhas/runtime/instruction_set.hpp"

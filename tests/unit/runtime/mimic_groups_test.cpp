@@ -8,9 +8,9 @@
 
 #include "support/slider_profile.hpp"
 #include "support/small_profile.hpp"
+#include "uhas/kinematics/lateral_lookup.hpp"
 #include "uhas/runtime/batch_solver.hpp"
 #include "uhas/runtime/cascade_solver.hpp"
-#include "uhas/kinematics/lateral_lookup.hpp"
 
 using namespace uhas;
 
@@ -95,7 +95,8 @@ TEST_CASE("a follower of a lateral joint goes with it, alone and in lanes") {
     std::vector<double> action(15, 0.05);
     std::fill_n(action.begin(), 4, delta_theta);
     const std::vector<double> q = solve(profile, action);
-    CHECK(q[0] == doctest::Approx(look_up_lateral<double>(table.inverse_q, table.delta_theta_lower, table.delta_theta_upper, delta_theta)));
+    CHECK(q[0] == doctest::Approx(look_up_lateral<double>(table.inverse_q, table.delta_theta_lower,
+                                                          table.delta_theta_upper, delta_theta)));
     CHECK(q[2] == doctest::Approx(0.5 * q[0] + 0.6));
     for (const InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2}) {
       if (!is_available(set)) continue;

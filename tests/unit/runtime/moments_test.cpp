@@ -1,10 +1,10 @@
 // The moments of point pairs against sums over the points themselves.
+#include "uhas/runtime/cascade/moments.hpp"
+
 #include <doctest/doctest.h>
 
 #include <random>
 #include <vector>
-
-#include "uhas/runtime/cascade/moments.hpp"
 
 using namespace uhas;
 
@@ -23,9 +23,7 @@ std::vector<Pair> random_pairs(std::mt19937_64& random) {
   return pairs;
 }
 
-RigidTransformd some_transform() {
-  return {Rotationd::about(normalized(Vector3d{1, -2, 0.5}), 0.9), {0.3, -0.2, 0.7}};
-}
+RigidTransformd some_transform() { return {Rotationd::about(normalized(Vector3d{1, -2, 0.5}), 0.9), {0.3, -0.2, 0.7}}; }
 
 }  // namespace
 

@@ -1,8 +1,8 @@
+#include "uhas/sphere_frame/slots.hpp"
+
 #include <doctest/doctest.h>
 
 #include <numbers>
-
-#include "uhas/sphere_frame/slots.hpp"
 
 using namespace uhas;
 

@@ -1,14 +1,14 @@
-// The runtime's contact rule on an undeformed sphere is the wrap again: both must place the same nodes in the same
-// order.
+// The runtime's contact rule on an undeformed sphere is the wrap again: both must place the same nodes in
+// the same order.
 #include <doctest/doctest.h>
 
 #include <cmath>
 
 #include "support/sphere_hand.hpp"
 #include "uhas/base/spherical.hpp"
+#include "uhas/kinematics/forward_kinematics.hpp"
 #include "uhas/lateral_tables/lateral_tables.hpp"
 #include "uhas/runtime/cascade_solver.hpp"
-#include "uhas/kinematics/forward_kinematics.hpp"
 
 using namespace uhas;
 using namespace uhas::test;

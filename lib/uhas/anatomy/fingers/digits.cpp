@@ -70,8 +70,8 @@ PalmNormal find_palm_normal(std::span<const FingerPosture> postures, int thumb) 
   const double coherence = norm(closing) / count;
   const bool gripper = thumb >= 0 && count < 3 && dot(normalized(axis), postures[thumb].axis) < -kOpposed;
   if (coherence > kRowCoherence && !gripper) {
-    // Fingers side by side agree in direction, fingers all around have axes that cancel; else some of them may be a
-    // thumb.
+    // Fingers side by side agree in direction, fingers all around have axes that cancel; else some of them may
+    // be a thumb.
     const double in_row = norm(direction) / count, around = 1 - norm(axis) / count;
     const Vector3d normal = normalized(closing);
     double squares = 0;

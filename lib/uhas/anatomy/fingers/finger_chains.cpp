@@ -120,8 +120,8 @@ class ChainCollector {
   const Branches& branches_;
 };
 
-/// The lowest group in which all significant chains meet: walk outward while only one branch matters and it splits
-/// later.
+/// The lowest group in which all significant chains meet: walk outward while only one branch matters and
+/// it splits later.
 int find_palm_group(const Branches& branches, double& margin) {
   int group = -1;
   for (;;) {

@@ -18,8 +18,8 @@ struct FingerChains {
 };
 
 /// Finds the group in which the significant chains meet, and the chains on it; takes what the config states of either.
-/// Throws Error(invalid_hand) when fewer than two fingers hang on the palm, Error(invalid_config) for what the model
-/// lacks.
+/// Throws Error(invalid_hand) when fewer than two fingers hang on the palm, Error(invalid_config) for what
+/// the model lacks.
 FingerChains find_finger_chains(const HandModel& model, const HandConfig& config = {});
 
 }  // namespace uhas

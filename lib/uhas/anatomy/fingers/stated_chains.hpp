@@ -8,8 +8,8 @@
 
 namespace uhas {
 
-/// Index of the link that the config names as the palm. Throws Error(invalid_config) with the nearest link of the
-/// model.
+/// Index of the link that the config names as the palm. Throws Error(invalid_config) with the nearest link
+/// of the model.
 int find_stated_palm_link(const HandModel& model, const HandConfig& config);
 
 /// The fingers that the config states, as joints of the model; the palm is the group on which they begin.

@@ -9,8 +9,8 @@
 
 namespace uhas {
 
-/// A straight finger at zero may be this part shorter than the longest reach: fingertips are offset from the joint's
-/// line.
+/// A straight finger at zero may be this part shorter than the longest reach: fingertips are offset from
+/// the joint's line.
 inline constexpr double kStraightTolerance = 0.015;
 
 /// The joints that bend a finger.

@@ -88,8 +88,8 @@ class OpenPoseSearch {
   }
 
  private:
-  /// How open the fingers of the group are: 2 for each that is straight in the palm plane with its pad along the
-  /// normal.
+  /// How open the fingers of the group are: 2 for each that is straight in the palm plane with its pad
+  /// along the normal.
   double openness(const FingerGroup& group, std::span<const double> q) {
     double sum = 0;
     for (int finger : group.fingers) {
@@ -158,8 +158,8 @@ class OpenPoseSearch {
     }
   }
 
-  /// Designers put "open" at zero: zero is taken where it costs next to nothing, by base flexion joints or by all
-  /// others.
+  /// Designers put "open" at zero: zero is taken where it costs next to nothing, by base flexion joints or
+  /// by all others.
   void settle(const FingerGroup& group, std::vector<double>& q) {
     double lowest = openness(group, q);
     for (int finger : group.fingers) lowest -= finger == anatomy_.thumb ? kThumbSnapTolerance : kSnapTolerance;

@@ -12,8 +12,8 @@ constexpr double kGuessedRoll = 0.26;
 
 double square(double x) { return x * x; }
 
-/// How far a finger may be rolled about its own direction (rad, a standard error) by joints whose open value is a
-/// guess.
+/// How far a finger may be rolled about its own direction (rad, a standard error) by joints whose open value
+/// is a guess.
 double roll_error(const Flexion& flexion, const FingerPosture& posture, const FingerPose& pose) {
   double rolled = 0;
   for (int i = 0; i < flexion.positions.back(); ++i)

@@ -29,8 +29,8 @@ std::vector<double> clipped_zero(const KinematicTree& tree) {
   return q;
 }
 
-/// Narrows each master's limits until its followers stay within theirs too; a follower that no master value suits is
-/// reported.
+/// Narrows each master's limits until its followers stay within theirs too; a follower that no master value
+/// suits is reported.
 void narrow_masters(Anatomy& anatomy) {
   for (const Joint& follower : anatomy.tree.joints) {
     if (follower.mimic_master < 0 || follower.mimic_multiplier == 0) continue;

@@ -8,8 +8,8 @@
 
 namespace uhas {
 
-/// The corners of a connected piece of a mesh that lie farthest out along x, y and z, least and greatest (m, frame of
-/// the mesh).
+/// The corners of a connected piece of a mesh that lie farthest out along x, y and z, least and greatest (m, frame
+/// of the mesh).
 using PieceExtremes = std::array<Vector3d, 6>;
 
 /// One element a piece. Corners at one place are one.

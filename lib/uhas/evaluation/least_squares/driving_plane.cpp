@@ -1,7 +1,7 @@
+#include "uhas/evaluation/least_squares/driving_plane.hpp"
+
 #include <algorithm>
 #include <numbers>
-
-#include "uhas/evaluation/least_squares/driving_plane.hpp"
 
 namespace uhas {
 namespace {

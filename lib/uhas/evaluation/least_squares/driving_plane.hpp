@@ -1,5 +1,5 @@
-// The deformation of a finger's plane, written a second time from the design alone (2 and 3.7), for two driving
-// vectors.
+// The deformation of a finger's plane, written a second time from the design alone (2 and 3.7), for
+// two driving vectors.
 #pragma once
 
 #include <array>
@@ -14,12 +14,12 @@ struct DrivingPlane {
   double delta_theta = 0;
   std::array<double, ActionSpace::kVectors> delta_r{};
 
-  /// Displacement at a polar angle: 0 at the pole, linear to the first vector at 60°, to the second at 120°, constant
-  /// beyond.
+  /// Displacement at a polar angle: 0 at the pole, linear to the first vector at 60°, to the second at
+  /// 120°, constant beyond.
   double at(double phi) const;
 
-  /// What is left of a point as its sphere radius falls from 0.5 to 0; never less near the pole than at the first
-  /// vector.
+  /// What is left of a point as its sphere radius falls from 0.5 to 0; never less near the pole than at
+  /// the first vector.
   double open_share(double phi) const;
 };
 

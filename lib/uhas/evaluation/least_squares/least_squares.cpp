@@ -1,9 +1,10 @@
+#include "uhas/evaluation/least_squares/least_squares.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "uhas/base/spherical.hpp"
 #include "uhas/evaluation/least_squares/driving_plane.hpp"
-#include "uhas/evaluation/least_squares/least_squares.hpp"
 #include "uhas/kinematics/forward_kinematics.hpp"
 
 namespace uhas {

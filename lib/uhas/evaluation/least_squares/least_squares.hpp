@@ -24,8 +24,8 @@ class LeastSquares {
   /// Sum over the points of weight times what closing has left of each.
   double weight() const { return weight_; }
 
-  /// Root of the weighted mean square distance of points from targets (sphere radii) at joint values `q`, mimics
-  /// applied.
+  /// Root of the weighted mean square distance of points from targets (sphere radii) at joint values
+  /// `q`, mimics applied.
   double rms(std::span<const double> q);
 
   /// Weighted mean square distance, and its derivative by each unknown when `gradient` is not empty. `q`: all joints of
@@ -40,8 +40,8 @@ class LeastSquares {
     Vector3d p_joint;        // in the joint's moved frame, m
     double theta, phi, rho;  // canonical azimuth, polar angle, rest radius
     double weight;
-    Vector3d t_palm{};       // target, m
-    double share = 1;        // what closing has left
+    Vector3d t_palm{};  // target, m
+    double share = 1;   // what closing has left
   };
 
   void add_points();
@@ -49,7 +49,7 @@ class LeastSquares {
 
   const HandProfile* profile_;
   std::vector<int> fingers_, unknowns_;
-  std::vector<int> joints_;                    // increasing, parents included
+  std::vector<int> joints_;  // increasing, parents included
   std::vector<Point> points_;
   std::vector<RigidTransformd> T_palm_joint_;  // [joint of the profile]
   double weight_ = 0;

@@ -1,3 +1,5 @@
+#include "uhas/evaluation/least_squares/optimum.hpp"
+
 #include <nlopt.h>
 
 #include <algorithm>
@@ -5,7 +7,6 @@
 #include <limits>
 #include <memory>
 
-#include "uhas/evaluation/least_squares/optimum.hpp"
 #include "uhas/kinematics/forward_kinematics.hpp"
 
 namespace uhas {

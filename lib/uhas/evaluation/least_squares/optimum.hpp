@@ -9,9 +9,9 @@
 namespace uhas {
 
 struct Optimum {
-  double rms = 0;          ///< of the best start, sphere radii
-  double second_rms = 0;   ///< of the best of all other starts: agrees with `rms` where the optimum can be trusted
-  std::vector<double> q;   ///< [joint of the profile] the pose of the best start
+  double rms = 0;         ///< of the best start, sphere radii
+  double second_rms = 0;  ///< of the best of all other starts: agrees with `rms` where the optimum can be trusted
+  std::vector<double> q;  ///< [joint of the profile] the pose of the best start
 };
 
 /// SLSQP (NLopt) from each of `starts` within the joints' limits. The problem has its action.

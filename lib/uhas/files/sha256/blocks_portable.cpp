@@ -2,7 +2,7 @@
 
 #include "uhas/files/sha256/blocks.hpp"
 
-namespace uhas::detail {
+namespace uhas {
 namespace {
 
 void compress_block(Sha256State& state, std::span<const std::byte, kSha256Block> block) {
@@ -38,4 +38,4 @@ void sha256_compress_portable(Sha256State& state, std::span<const std::byte> blo
     compress_block(state, blocks.first<kSha256Block>());
 }
 
-}  // namespace uhas::detail
+}  // namespace uhas

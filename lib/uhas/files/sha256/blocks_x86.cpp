@@ -5,7 +5,7 @@
 #include <immintrin.h>
 #endif
 
-namespace uhas::detail {
+namespace uhas {
 
 #if defined(__x86_64__)
 namespace {
@@ -57,4 +57,4 @@ Sha256Compress sha256_compress_x86() noexcept { return processor_has_sha() ? &co
 Sha256Compress sha256_compress_x86() noexcept { return nullptr; }
 #endif
 
-}  // namespace uhas::detail
+}  // namespace uhas

@@ -8,7 +8,7 @@
 #include "uhas/base/errors.hpp"
 #include "uhas/model/urdf/xml_markup.hpp"
 
-namespace uhas::detail {
+namespace uhas {
 namespace {
 
 constexpr std::string_view kSpace = " \t\r\n";
@@ -65,4 +65,4 @@ void check_collada_bounds(std::string_view text, const std::string& file) {
   }
 }
 
-}  // namespace uhas::detail
+}  // namespace uhas

@@ -10,7 +10,7 @@
 
 #include "uhas/base/errors.hpp"
 
-namespace uhas::detail {
+namespace uhas {
 namespace {
 
 namespace fs = std::filesystem;
@@ -108,4 +108,4 @@ void check_gltf_bounds(std::string_view bytes, const fs::path& path) {
   }
 }
 
-}  // namespace uhas::detail
+}  // namespace uhas

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string_view>
 
-namespace uhas::detail {
+namespace uhas {
 
 /// A few kilobytes of glTF can claim gigabytes: accessors need no bytes behind them, and primitives may share one. This
 /// refuses a file whose primitives use many more elements than it has bytes, whose JSON is nested beyond any real one,
@@ -14,4 +14,4 @@ namespace uhas::detail {
 /// Throws Error: invalid_mesh (no glTF, no trees), limit_exceeded.
 void check_gltf_bounds(std::string_view bytes, const std::filesystem::path& path);
 
-}  // namespace uhas::detail
+}  // namespace uhas

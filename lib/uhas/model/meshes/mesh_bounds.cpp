@@ -5,7 +5,7 @@
 
 #include "uhas/base/errors.hpp"
 
-namespace uhas::detail {
+namespace uhas {
 namespace {
 
 // indices have 32 bits, and the largest number is taken for "no vertex"
@@ -28,4 +28,4 @@ void require_within_bounds(std::uint64_t triangles, std::uint64_t vertices, std:
                 "leave out unused ones or raise the bound by --max-triangles");
 }
 
-}  // namespace uhas::detail
+}  // namespace uhas

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-namespace uhas::detail {
+namespace uhas {
 
 /// Refuses more than `max_triangles` triangles, and more vertices than these have corners or an index can name. Without
 /// the second, a file of few triangles and very many vertices would take any memory.
@@ -13,4 +13,4 @@ namespace uhas::detail {
 void require_within_bounds(std::uint64_t triangles, std::uint64_t vertices, std::uint64_t max_triangles,
                            const char* subject, const std::string& file);
 
-}  // namespace uhas::detail
+}  // namespace uhas

@@ -7,7 +7,7 @@
 
 #include "uhas/base/errors.hpp"
 
-namespace uhas::detail {
+namespace uhas {
 namespace {
 
 // A list is its length, then its elements; both processes are one program, so these are in its own representation.
@@ -78,4 +78,4 @@ ReadMesh read_mesh_from_bytes(std::span<const std::byte> bytes, const std::strin
   return read;
 }
 
-}  // namespace uhas::detail
+}  // namespace uhas

@@ -8,7 +8,7 @@
 
 #include "uhas/model/hand_model.hpp"
 
-namespace uhas::detail {
+namespace uhas {
 
 struct ReadMesh {
   TriangleMesh mesh;
@@ -20,4 +20,4 @@ std::vector<std::byte> to_bytes(const ReadMesh& read);
 /// The inverse. Throws Error(invalid_mesh) in the name of `file` for bytes that are no mesh.
 ReadMesh read_mesh_from_bytes(std::span<const std::byte> bytes, const std::string& file);
 
-}  // namespace uhas::detail
+}  // namespace uhas

@@ -5,13 +5,13 @@
 #include "uhas/base/errors.hpp"
 #include "uhas/model/meshes/mesh_path.hpp"
 
-namespace uhas::detail {
+namespace uhas {
 namespace {
 
 namespace fs = std::filesystem;
 
-// Absolute, without symbolic links, "." and ".."; as it is named where links cannot be followed, so neither can they be
-// read.
+// Absolute, without symbolic links, "." and ".."; as it is named where links cannot be followed, so neither can
+// they be read.
 fs::path resolved(const fs::path& path) {
   std::error_code failure;
   const fs::path full = fs::current_path() / path;
@@ -53,4 +53,4 @@ void MeshFolders::require(const fs::path& file, const std::string& reference) co
               "name its package by --package NAME=DIR, or pass --allow-outside if you trust the model");
 }
 
-}  // namespace uhas::detail
+}  // namespace uhas

@@ -7,7 +7,7 @@
 
 #include "uhas/model/hand_model.hpp"
 
-namespace uhas::detail {
+namespace uhas {
 
 /// See `LoadOptions::allow_outside`.
 class MeshFolders {
@@ -26,4 +26,4 @@ class MeshFolders {
   std::vector<std::filesystem::path> folders_;  // canonical; the model's own first
 };
 
-}  // namespace uhas::detail
+}  // namespace uhas

@@ -5,7 +5,7 @@
 
 #include "uhas/base/errors.hpp"
 
-namespace uhas::detail {
+namespace uhas {
 namespace {
 
 namespace fs = std::filesystem;
@@ -61,4 +61,4 @@ fs::path find_mesh(const std::string& reference, const fs::path& urdf_folder,
               "pass --package " + name + "=DIR or set ROS_PACKAGE_PATH");
 }
 
-}  // namespace uhas::detail
+}  // namespace uhas

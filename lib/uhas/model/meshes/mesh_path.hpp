@@ -7,7 +7,7 @@
 
 #include "uhas/model/hand_model.hpp"
 
-namespace uhas::detail {
+namespace uhas {
 
 /// The folders of the environment variable ROS_PACKAGE_PATH, in order.
 std::vector<std::filesystem::path> ros_package_path();
@@ -20,4 +20,4 @@ std::vector<std::filesystem::path> ros_package_path();
 std::filesystem::path find_mesh(const std::string& reference, const std::filesystem::path& urdf_folder,
                                 const std::vector<PackageFolder>& packages, const std::string& urdf_file);
 
-}  // namespace uhas::detail
+}  // namespace uhas

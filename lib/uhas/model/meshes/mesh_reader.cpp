@@ -18,8 +18,8 @@
 #include <sstream>
 #include <string_view>
 
-#include "uhas/fence/child_process.hpp"
 #include "uhas/base/errors.hpp"
+#include "uhas/fence/child_process.hpp"
 #include "uhas/files/file_bytes.hpp"
 #include "uhas/model/meshes/collada_bounds.hpp"
 #include "uhas/model/meshes/gltf_bounds.hpp"
@@ -28,7 +28,7 @@
 #include "uhas/model/meshes/ply_reader.hpp"
 #include "uhas/model/urdf/xml_bounds.hpp"
 
-namespace uhas::detail {
+namespace uhas {
 namespace {
 
 namespace fs = std::filesystem;
@@ -261,4 +261,4 @@ std::vector<TriangleMesh> read_meshes(std::span<const MeshFile> files, const Loa
   return meshes;
 }
 
-}  // namespace uhas::detail
+}  // namespace uhas

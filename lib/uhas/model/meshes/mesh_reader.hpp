@@ -10,7 +10,7 @@
 #include "uhas/model/meshes/mesh_folders.hpp"
 #include "uhas/model/meshes/source_file.hpp"
 
-namespace uhas::detail {
+namespace uhas {
 
 /// A mesh file and how the URDF names it.
 struct MeshFile {
@@ -32,4 +32,4 @@ struct MeshFile {
 std::vector<TriangleMesh> read_meshes(std::span<const MeshFile> files, const LoadOptions& options,
                                       const MeshFolders& folders, SourceLog& sources);
 
-}  // namespace uhas::detail
+}  // namespace uhas

@@ -12,7 +12,7 @@
 #include "uhas/base/errors.hpp"
 #include "uhas/model/meshes/mesh_bounds.hpp"
 
-namespace uhas::detail {
+namespace uhas {
 namespace {
 
 enum class Scalar { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
@@ -207,4 +207,4 @@ TriangleMesh read_ply(std::span<const std::byte> bytes, const std::string& file,
   return PlyReader({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, file, max_triangles).read();
 }
 
-}  // namespace uhas::detail
+}  // namespace uhas

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <span>
 
-namespace uhas::detail {
+namespace uhas {
 namespace {
 
 // The chord of 32 segments is 0.5 % of the radius inside the circle.
@@ -77,4 +77,4 @@ TriangleMesh tessellate_sphere(double radius) { return revolve_half_spheres(radi
 
 TriangleMesh tessellate_capsule(double radius, double length) { return revolve_half_spheres(radius, length); }
 
-}  // namespace uhas::detail
+}  // namespace uhas

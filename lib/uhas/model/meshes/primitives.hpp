@@ -4,7 +4,7 @@
 
 #include "uhas/model/hand_model.hpp"
 
-namespace uhas::detail {
+namespace uhas {
 
 /// @param size  edge lengths along x, y, z
 TriangleMesh tessellate_box(Vector3d size);
@@ -18,4 +18,4 @@ TriangleMesh tessellate_sphere(double radius);
 /// @param length  of the part between the half spheres
 TriangleMesh tessellate_capsule(double radius, double length);
 
-}  // namespace uhas::detail
+}  // namespace uhas

@@ -4,7 +4,7 @@
 
 #include "uhas/files/sha256.hpp"
 
-namespace uhas::detail {
+namespace uhas {
 
 void SourceLog::add(const std::filesystem::path& path, const std::string& reference, std::span<const std::byte> bytes) {
   namespace fs = std::filesystem;
@@ -14,4 +14,4 @@ void SourceLog::add(const std::filesystem::path& path, const std::string& refere
   if (std::ranges::find(files_, name, &SourceFile::name) == files_.end()) files_.push_back({name, sha256_hex(bytes)});
 }
 
-}  // namespace uhas::detail
+}  // namespace uhas

@@ -10,7 +10,7 @@
 
 #include "uhas/profile/hand_profile.hpp"
 
-namespace uhas::detail {
+namespace uhas {
 
 /// The files a model was read from, each once, in order of use.
 class SourceLog {
@@ -32,4 +32,4 @@ class SourceLog {
   std::vector<SourceFile> files_;
 };
 
-}  // namespace uhas::detail
+}  // namespace uhas

@@ -4,7 +4,7 @@
 
 #include "uhas/base/errors.hpp"
 
-namespace uhas::detail {
+namespace uhas {
 namespace {
 
 // Index of the element with that name in a list sorted by name, -1 when there is none.
@@ -105,4 +105,4 @@ std::vector<FlatMimic> flatten_mimics(const Urdf& urdf, const std::string& file)
   return result;
 }
 
-}  // namespace uhas::detail
+}  // namespace uhas

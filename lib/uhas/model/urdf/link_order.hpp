@@ -6,7 +6,7 @@
 
 #include "uhas/model/urdf/urdf_reader.hpp"
 
-namespace uhas::detail {
+namespace uhas {
 
 struct OrderedLink {
   int link = -1;    ///< index into `Urdf::links`
@@ -28,4 +28,4 @@ struct FlatMimic {
 /// Throws Error(invalid_model) when a joint mimics itself, in a cycle, an unknown joint or a fixed one.
 std::vector<FlatMimic> flatten_mimics(const Urdf& urdf, const std::string& file);
 
-}  // namespace uhas::detail
+}  // namespace uhas

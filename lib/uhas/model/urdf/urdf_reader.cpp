@@ -11,7 +11,7 @@
 #include "uhas/base/errors.hpp"
 #include "uhas/model/urdf/urdf_text.hpp"
 
-namespace uhas::detail {
+namespace uhas {
 namespace {
 
 // Beyond these a number is a mistake, and squares and products of it begin to lose the hand.
@@ -199,4 +199,4 @@ Urdf read_urdf(const std::string& text, const std::string& file, std::uint64_t m
   return result;
 }
 
-}  // namespace uhas::detail
+}  // namespace uhas

@@ -8,7 +8,7 @@
 
 #include "uhas/base/kinematic_tree.hpp"
 
-namespace uhas::detail {
+namespace uhas {
 
 /// One <visual> or <collision>.
 struct UrdfShape {
@@ -49,4 +49,4 @@ struct Urdf {
 /// Throws Error: syntax, invalid_model, limit_exceeded.
 Urdf read_urdf(const std::string& text, const std::string& file, std::uint64_t max_links);
 
-}  // namespace uhas::detail
+}  // namespace uhas

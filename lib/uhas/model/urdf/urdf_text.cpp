@@ -11,7 +11,7 @@
 #include "uhas/model/urdf/link_order.hpp"
 #include "uhas/model/urdf/xml_bounds.hpp"
 
-namespace uhas::detail {
+namespace uhas {
 namespace {
 
 template <class Predicate>
@@ -150,4 +150,4 @@ std::string reduce_urdf(const std::string& text, const std::string& file, std::u
   return printer.Str();
 }
 
-}  // namespace uhas::detail
+}  // namespace uhas

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-namespace uhas::detail {
+namespace uhas {
 
 /// Reduces a URDF to links with their shapes and joints with their kinematics, so that what a hand model does not need
 /// (inertias, materials, transmissions, sensors) cannot make urdfdom drop what it does need.
@@ -14,4 +14,4 @@ namespace uhas::detail {
 /// (nesting or a tag beyond any real URDF, more than `max_links` links).
 std::string reduce_urdf(const std::string& text, const std::string& file, std::uint64_t max_links);
 
-}  // namespace uhas::detail
+}  // namespace uhas

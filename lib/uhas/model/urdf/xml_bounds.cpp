@@ -5,7 +5,7 @@
 #include "uhas/base/errors.hpp"
 #include "uhas/model/urdf/xml_markup.hpp"
 
-namespace uhas::detail {
+namespace uhas {
 namespace {
 
 constexpr int max_nesting = 100;
@@ -27,4 +27,4 @@ void check_xml_bounds(std::string_view text, const std::string& file) {
   }
 }
 
-}  // namespace uhas::detail
+}  // namespace uhas

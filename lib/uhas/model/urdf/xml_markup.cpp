@@ -4,7 +4,7 @@
 
 #include "uhas/base/errors.hpp"
 
-namespace uhas::detail {
+namespace uhas {
 namespace {
 
 // Position just after the markup that starts at `start` ("<..."), npos when it does not end.
@@ -46,4 +46,4 @@ std::string XmlMarkup::place() const {
   return file_ + ":" + std::to_string(1 + std::ranges::count(text_.substr(0, start_), '\n'));
 }
 
-}  // namespace uhas::detail
+}  // namespace uhas

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace uhas::detail {
+namespace uhas {
 
 /// Runs over the tags, comments, CDATA sections and declarations of a text.
 class XmlMarkup {
@@ -15,7 +15,7 @@ class XmlMarkup {
   /// Goes on to the next piece; false at the end of the text. Throws Error: syntax when the text ends inside it.
   bool next();
 
-  std::string_view piece() const { return text_.substr(start_, end_ - start_); }   ///< "<...>", as it stands
+  std::string_view piece() const { return text_.substr(start_, end_ - start_); }            ///< "<...>", as it stands
   std::string_view text_before() const { return text_.substr(before_, start_ - before_); }  ///< since the last piece
 
   bool is_tag() const { return !piece().starts_with("<!") && !piece().starts_with("<?"); }
@@ -30,4 +30,4 @@ class XmlMarkup {
   std::size_t before_ = 0, start_ = 0, end_ = 0;
 };
 
-}  // namespace uhas::detail
+}  // namespace uhas

@@ -5,7 +5,7 @@
 
 #include "uhas/base/errors.hpp"
 
-namespace uhas::detail {
+namespace uhas {
 
 inline constexpr const char* rebuild_remedy = "rebuild it with uhas-build-profile";
 
@@ -14,4 +14,4 @@ inline Error profile_error(const std::string& path, const std::string& problem,
   return {ErrorCode::invalid_profile, path, problem, remedy};
 }
 
-}  // namespace uhas::detail
+}  // namespace uhas

@@ -11,7 +11,7 @@
 #include "uhas/profile/hand_profile.hpp"
 #include "uhas/profile_io/image/user_block.hpp"
 
-namespace uhas::detail {
+namespace uhas {
 
 inline constexpr std::uint64_t kMaxProfileBytes = 256u << 20;
 
@@ -22,4 +22,4 @@ std::vector<std::byte> image_of_profile(const HandProfile& profile, const std::s
 /// Throws Error: invalid_profile, limit_exceeded.
 HandProfile profile_of_image(std::span<const std::byte> image, FormatVersion version, const std::string& path);
 
-}  // namespace uhas::detail
+}  // namespace uhas

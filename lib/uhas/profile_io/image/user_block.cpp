@@ -9,7 +9,7 @@
 #include "uhas/profile/hand_profile.hpp"
 #include "uhas/profile_io/image/profile_error.hpp"
 
-namespace uhas::detail {
+namespace uhas {
 namespace {
 
 /// The one user block that a file of this version and content can have: three lines of text, padded with zeros.
@@ -67,4 +67,4 @@ FormatVersion check_user_block(std::span<const std::byte> file, const std::strin
   return *version;
 }
 
-}  // namespace uhas::detail
+}  // namespace uhas

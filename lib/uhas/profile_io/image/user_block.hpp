@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-namespace uhas::detail {
+namespace uhas {
 
 inline constexpr std::size_t kUserBlockBytes = 512;
 
@@ -25,4 +25,4 @@ void write_user_block(std::span<std::byte> file, FormatVersion version);
 /// Throws Error: invalid_profile, unsupported_version.
 FormatVersion check_user_block(std::span<const std::byte> file, const std::string& path);
 
-}  // namespace uhas::detail
+}  // namespace uhas

@@ -11,7 +11,7 @@
 
 #include "uhas/base/rigid_transform.hpp"
 
-namespace uhas::detail {
+namespace uhas {
 
 static_assert(sizeof(int) == sizeof(std::int32_t));
 
@@ -112,8 +112,8 @@ inline constexpr bool is_list = false;
 template <class T>
 inline constexpr bool is_list<std::vector<T>> = true;
 
-/// A dataset of a table: its name, the unit of its numbers ("" where none applies) and the member of a row that it
-/// holds.
+/// A dataset of a table: its name, the unit of its numbers ("" where none applies) and the member of a row
+/// that it holds.
 template <class Projection>
 struct Column {
   const char* name;
@@ -126,4 +126,4 @@ struct Column {
 template <class Projection>
 Column(const char*, const char*, Projection) -> Column<Projection>;  // which Clang 14 does not find by itself
 
-}  // namespace uhas::detail
+}  // namespace uhas

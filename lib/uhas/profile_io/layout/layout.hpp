@@ -7,7 +7,7 @@
 #include "uhas/profile/hand_profile.hpp"
 #include "uhas/profile_io/layout/element.hpp"
 
-namespace uhas::detail {
+namespace uhas {
 
 // clang-format off
 /// Shows `archive` every dataset of `profile` in turn: `value` holds one field, `table` one row an element of a vector,
@@ -102,4 +102,4 @@ void visit_layout(Archive& archive, Profile& p) {
 }
 // clang-format on
 
-}  // namespace uhas::detail
+}  // namespace uhas

@@ -4,11 +4,11 @@
 
 #include "uhas/profile_io/image/profile_error.hpp"
 
-namespace uhas::detail {
+namespace uhas {
 namespace {
 
 std::vector<hsize_t> shape_of(hid_t dataset) {
-  const Handle space(H5Dget_space(dataset), H5Sclose);
+  const Hdf5Handle space(H5Dget_space(dataset), H5Sclose);
   const int rank = H5Sget_simple_extent_ndims(space.id());
   std::vector<hsize_t> shape(static_cast<std::size_t>(std::max(rank, 0)));
   H5Sget_simple_extent_dims(space.id(), shape.data(), nullptr);
@@ -26,7 +26,7 @@ std::string to_text(const std::vector<hsize_t>& shape) {
 LayoutReader::LayoutReader(hid_t file, const std::string& path) : file_(file), path_(path) {}
 
 std::size_t LayoutReader::row_count(const std::string& name) const {
-  const Handle dataset = open_dataset(name);
+  const Hdf5Handle dataset = open_dataset(name);
   const Shape shape = shape_of(dataset.id());
   if (shape.empty()) refuse(name, "has no rows, only one value");
   return shape.front();
@@ -41,8 +41,8 @@ std::vector<std::int32_t> LayoutReader::read_offsets(const std::string& name, st
 
 std::vector<std::string> LayoutReader::read_strings(const std::string& name, const Shape& shape,
                                                     std::size_t count) const {
-  const Handle dataset = open_dataset(name, shape);
-  const Handle type(H5Dget_type(dataset.id()), H5Tclose);
+  const Hdf5Handle dataset = open_dataset(name, shape);
+  const Hdf5Handle type(H5Dget_type(dataset.id()), H5Tclose);
   if (H5Tget_class(type.id()) != H5T_STRING) refuse(name, "is not of fixed-length strings");
   const std::size_t width = H5Tget_size(type.id());
   std::string padded(width * count, '\0');
@@ -56,21 +56,21 @@ std::vector<std::string> LayoutReader::read_strings(const std::string& name, con
   return texts;
 }
 
-Handle LayoutReader::open_dataset(const std::string& name) const {
-  Handle dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
+Hdf5Handle LayoutReader::open_dataset(const std::string& name) const {
+  Hdf5Handle dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
   if (!dataset.valid()) refuse(name, "is missing or is no dataset");
   return dataset;
 }
 
-Handle LayoutReader::open_dataset(const std::string& name, const Shape& expected) const {
-  Handle dataset = open_dataset(name);
+Hdf5Handle LayoutReader::open_dataset(const std::string& name, const Shape& expected) const {
+  Hdf5Handle dataset = open_dataset(name);
   const Shape shape = shape_of(dataset.id());
   if (shape != expected) refuse(name, "has shape " + to_text(shape) + ", not " + to_text(expected));
   return dataset;
 }
 
 void LayoutReader::require_type(hid_t dataset, hid_t expected, const std::string& name) const {
-  const Handle type(H5Dget_type(dataset), H5Tclose);
+  const Hdf5Handle type(H5Dget_type(dataset), H5Tclose);
   if (H5Tequal(type.id(), expected) <= 0) refuse(name, "does not have the number type of the format");
 }
 
@@ -82,4 +82,4 @@ void LayoutReader::refuse(const std::string& name, const std::string& problem) c
   throw profile_error(path_, name + " " + problem);
 }
 
-}  // namespace uhas::detail
+}  // namespace uhas

@@ -1,5 +1,5 @@
-// Reads the datasets that `visit_layout` shows from an open HDF5 file, each only if its type and shape are the
-// format's.
+// Reads the datasets that `visit_layout` shows from an open HDF5 file, each only if its type and shape
+// are the format's.
 #pragma once
 
 #include <functional>
@@ -8,10 +8,10 @@
 #include <tuple>
 #include <vector>
 
-#include "uhas/profile_io/layout/element.hpp"
 #include "uhas/hdf5/handle.hpp"
+#include "uhas/profile_io/layout/element.hpp"
 
-namespace uhas::detail {
+namespace uhas {
 
 class LayoutReader {
  public:
@@ -60,7 +60,7 @@ class LayoutReader {
 
   template <class Number>
   std::vector<Number> read_numbers(const std::string& name, const Shape& shape, std::size_t count) const {
-    const Handle dataset = open_dataset(name, shape);
+    const Hdf5Handle dataset = open_dataset(name, shape);
     require_type(dataset.id(), stored_type<Number>(), name);
     std::vector<Number> numbers(count);
     read_dataset(dataset.id(), memory_type<Number>(), numbers.data(), name);
@@ -71,8 +71,8 @@ class LayoutReader {
   std::vector<std::int32_t> read_offsets(const std::string& name, std::size_t rows) const;
   std::vector<std::string> read_strings(const std::string& name, const Shape& shape, std::size_t count) const;
 
-  Handle open_dataset(const std::string& name) const;
-  Handle open_dataset(const std::string& name, const Shape& expected) const;
+  Hdf5Handle open_dataset(const std::string& name) const;
+  Hdf5Handle open_dataset(const std::string& name, const Shape& expected) const;
   void require_type(hid_t dataset, hid_t expected, const std::string& name) const;
   void read_dataset(hid_t dataset, hid_t memory, void* data, const std::string& name) const;
   [[noreturn]] void refuse(const std::string& name, const std::string& problem) const;
@@ -81,4 +81,4 @@ class LayoutReader {
   const std::string& path_;
 };
 
-}  // namespace uhas::detail
+}  // namespace uhas

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "uhas/profile_io/layout/element.hpp"
 #include "uhas/hdf5/handle.hpp"
+#include "uhas/profile_io/layout/element.hpp"
 
-namespace uhas::detail {
+namespace uhas {
 
 class LayoutWriter {
  public:
@@ -76,4 +76,4 @@ class LayoutWriter {
 /// Attaches a fixed-length string to an object of the file; false when HDF5 fails.
 bool write_string_attribute(hid_t object, const char* name, const std::string& text);
 
-}  // namespace uhas::detail
+}  // namespace uhas

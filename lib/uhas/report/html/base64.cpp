@@ -1,6 +1,6 @@
-#include <cstdint>
-
 #include "uhas/report/html/base64.hpp"
+
+#include <cstdint>
 
 namespace uhas {
 

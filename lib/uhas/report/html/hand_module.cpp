@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "uhas/base/errors.hpp"
+#include "uhas/kinematics/forward_kinematics.hpp"
 #include "uhas/profile_io/flat_profile.hpp"
 #include "uhas/runtime/cascade_solver.hpp"
 #include "uhas/runtime/deformation_field.hpp"
-#include "uhas/kinematics/forward_kinematics.hpp"
 
 #define UHAS_EXPORT(name) __attribute__((export_name(#name)))
 

@@ -1,3 +1,5 @@
+#include "uhas/report/html/report_document.hpp"
+
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
@@ -9,7 +11,6 @@
 #include "uhas/profile_io/flat_profile.hpp"
 #include "uhas/report/html/base64.hpp"
 #include "uhas/report/html/embedded_files.hpp"
-#include "uhas/report/html/report_document.hpp"
 
 namespace uhas {
 namespace {

@@ -1,5 +1,5 @@
-// From an action's numbers to the deformation of each finger's plane: denormalise, clamp, average shared slots (design
-// 2).
+// From an action's numbers to the deformation of each finger's plane: denormalise, clamp, average shared
+// slots (design 2).
 #pragma once
 
 #include <cmath>

@@ -85,7 +85,8 @@ class Cascade {
   void close_faded(const Model& model, const SolverPart& part) noexcept;
 
   Fit fit_step(const Model& model, const SolverStep& step, const RigidTransform<Num>& F, const Pass& pass) noexcept;
-  Fit fit_single(const Model& model, const SolverStep& step, const RigidTransform<Num>& F, const Pass& pass) const noexcept;
+  Fit fit_single(const Model& model, const SolverStep& step, const RigidTransform<Num>& F,
+                 const Pass& pass) const noexcept;
   Fit fit_group(const Model& model, const SolverStep& step, const Pass& pass) noexcept;
   Descent descent(const Model& model, const SolverStep& step, const JointValue<Num>& value, const Pass& pass) noexcept;
   Fit within_limits(const SolverJoint<Real>& joint, const JointValue<Num>& value) const noexcept;

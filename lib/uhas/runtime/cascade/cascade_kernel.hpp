@@ -6,8 +6,8 @@
 #include <numbers>
 #include <type_traits>
 
-#include "uhas/runtime/cascade/cascade.hpp"
 #include "uhas/kinematics/lateral_lookup.hpp"
+#include "uhas/runtime/cascade/cascade.hpp"
 
 namespace uhas {
 
@@ -136,7 +136,8 @@ void Cascade<Num, Wide>::sum_targets(const Model& model, const SolverPart& part)
 
 // moments from the tips inward: what each joint carries, with the joints further out at their present values
 template <class Num, class Wide>
-void Cascade<Num, Wide>::carry_moments(const Model& model, std::span<const ScopedJoint> scope, const Pass& pass) noexcept {
+void Cascade<Num, Wide>::carry_moments(const Model& model, std::span<const ScopedJoint> scope,
+                                       const Pass& pass) noexcept {
   JointState* const states = joints_.data();
   const SolverJoint<Real>* const joints = model.joints.data();
   for (const ScopedJoint& s : scope) states[s.joint].carried = states[s.joint].own;
@@ -146,8 +147,9 @@ void Cascade<Num, Wide>::carry_moments(const Model& model, std::span<const Scope
     const JointState& state = states[scope[n].joint];
     const Num factor = joint.decay_inward(Num(pass.decay));
     const RigidTransform<Num> scaled_T =
-        pass.first && state.at_start ? joint.decayed_T_parent_start.template cast<Num>()
-                                     : scaled(joint.moved(joint.T_parent_joint.template cast<Num>(), state.value), factor);
+        pass.first && state.at_start
+            ? joint.decayed_T_parent_start.template cast<Num>()
+            : scaled(joint.moved(joint.T_parent_joint.template cast<Num>(), state.value), factor);
     states[joint.parent].carried.add_transformed(state.carried, scaled_T, factor);
   }
 }
@@ -227,7 +229,8 @@ typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::fit_step(const Model& model
   if constexpr (LaneTraits<Num>::width == 1) {  // the contact rule is not made for lanes
     if (model.options.rule == Rule::contact) {
       const SolverJoint<Real>& joint = model.joints[step.joint];
-      return within_limits(joint, joint.value(step.single ? contact_single(model, step, F) : contact_group(model, step)));
+      return within_limits(joint,
+                           joint.value(step.single ? contact_single(model, step, F) : contact_group(model, step)));
     }
   }
   return step.single ? fit_single(model, step, F, pass) : fit_group(model, step, pass);
@@ -236,7 +239,9 @@ typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::fit_step(const Model& model
 template <class Num, class Wide>
 typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::within_limits(const SolverJoint<Real>& joint,
                                                                    const JointValue<Num>& value) const noexcept {
-  const Mask below = value.q<Num(joint.lower.q), above = value.q> Num(joint.upper.q), outside = below | above;
+  const Mask below = value.q < Num(joint.lower.q);
+  const Mask above = value.q > Num(joint.upper.q);
+  const Mask outside = below | above;
   if (!any(outside)) return {value, outside};
   const JointValue<Num> held = choose(above, joint.upper.template cast<Num>(), value);
   return {choose(below, joint.lower.template cast<Num>(), held), outside};
@@ -294,9 +299,9 @@ typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::fit_single(const Model& mod
     sine += lead * along, cosine -= lead * across;
   }
   const Num per_length = one / sqrt(sine * sine + cosine * cosine);
-  return within_limits(j, {present.q + atan2(sine, cosine),
-                           (present.cosine * cosine - present.sine * sine) * per_length,
-                           (present.cosine * sine + present.sine * cosine) * per_length});
+  return within_limits(j,
+                       {present.q + atan2(sine, cosine), (present.cosine * cosine - present.sine * sine) * per_length,
+                        (present.cosine * sine + present.sine * cosine) * per_length});
 }
 
 // Joints coupled by mimics have no closed form: Newton's method follows the descent from the present value to the first
@@ -336,7 +341,8 @@ typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::fit_group(const Model& mode
 // at this value of the group's unknown
 template <class Num, class Wide>
 typename Cascade<Num, Wide>::Descent Cascade<Num, Wide>::descent(const Model& model, const SolverStep& step,
-                                                                 const JointValue<Num>& value, const Pass& pass) noexcept {
+                                                                 const JointValue<Num>& value,
+                                                                 const Pass& pass) noexcept {
   set_unknown(model, step, value);
   carry_moments(model, step.scope, pass);
   move_frames(model, step.scope);

@@ -1,8 +1,9 @@
+#include "uhas/runtime/cascade/lead.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "uhas/runtime/cascade/lead.hpp"
 #include "uhas/runtime/encoding/damped_least_squares.hpp"
 
 namespace uhas {
@@ -61,8 +62,8 @@ class FingerAtRest {
     return moves;
   }
 
-  /// What step `s` does in the cascade's own fit of a single turning joint, when the steps before it have made their
-  /// `moves`.
+  /// What step `s` does in the cascade's own fit of a single turning joint, when the steps before it have
+  /// made their `moves`.
   std::array<double, kLeadInputs> own_move(int s, std::span<const std::array<double, kLeadInputs>> moves,
                                            double decay) const {
     const int joint = steps_[s]->joint;

@@ -1,8 +1,8 @@
 // The moments of a patch under the deformation of its finger's plane, before the azimuth turns (design 3.7 and 3.8).
 //
-// Whether a patch stays whole, has vanished or fades in between is decided by its range of polar angles. A whole patch
-// needs no look at its points, one that has vanished has no moments; only a fading patch is visited, several points at
-// a time.
+// Whether a patch stays whole, has vanished or fades in between is decided by its range of polar angles. A whole
+// patch needs no look at its points, one that has vanished has no moments; only a fading patch is visited, several
+// points at a time.
 #pragma once
 
 #include <algorithm>

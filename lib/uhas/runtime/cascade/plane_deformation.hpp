@@ -9,8 +9,7 @@
 
 namespace uhas {
 
-/// Where a joint looks at the displacement to lead its fit (lead.hpp): at the angles of two driving
-/// vectors.
+/// Where a joint looks at the displacement to lead its fit (lead.hpp): at the angles of two driving vectors.
 inline constexpr int kLeadInputs = 2;
 constexpr std::array<double, kLeadInputs> kLeadAngles{std::numbers::pi / 3, 2 * std::numbers::pi / 3};
 
@@ -51,9 +50,9 @@ struct RadialProfile {
 
 template <class Num>
 struct PlaneDeformation : RadialProfile<Num> {
-  Num delta_theta{};          ///< rad, canonical
-  bool common_angles = true;  ///< `phi` are the same in every lane
-  Num lowest{}, steepest{};   ///< least displacement of a vector; greatest |slope|
+  Num delta_theta{};                    ///< rad, canonical
+  bool common_angles = true;            ///< `phi` are the same in every lane
+  Num lowest{}, steepest{};             ///< least displacement of a vector; greatest |slope|
   std::array<Num, kLeadInputs> lead{};  ///< `lead_input` at `kLeadAngles`
 
   /// All that follows from vectors, angles and displacements.
@@ -71,8 +70,7 @@ struct PlaneDeformation : RadialProfile<Num> {
     if (default_angles && this->vectors == kLeadInputs) {  // these are the angles
       for (int u = 0; u < kLeadInputs; ++u) lead[u] = lead_input(this->delta_r[u]);
     } else {
-      for (int u = 0; u < kLeadInputs; ++u)
-        lead[u] = lead_input(this->at(Num(LaneReal<Num>(kLeadAngles[u]))).delta_r);
+      for (int u = 0; u < kLeadInputs; ++u) lead[u] = lead_input(this->at(Num(LaneReal<Num>(kLeadAngles[u]))).delta_r);
     }
   }
 };

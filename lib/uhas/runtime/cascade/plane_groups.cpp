@@ -1,9 +1,9 @@
+#include "uhas/runtime/cascade/plane_groups.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
-
-#include "uhas/runtime/cascade/plane_groups.hpp"
 
 namespace uhas {
 namespace {

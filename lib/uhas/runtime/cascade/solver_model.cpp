@@ -1,3 +1,5 @@
+#include "uhas/runtime/cascade/solver_model.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,10 +10,9 @@
 #include <tuple>
 
 #include "uhas/base/spherical.hpp"
-#include "uhas/runtime/cascade/action_decoder.hpp"
 #include "uhas/kinematics/axis_frame.hpp"
+#include "uhas/runtime/cascade/action_decoder.hpp"
 #include "uhas/runtime/cascade/lead.hpp"
-#include "uhas/runtime/cascade/solver_model.hpp"
 
 namespace uhas {
 namespace {

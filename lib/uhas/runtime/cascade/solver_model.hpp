@@ -1,6 +1,5 @@
-// The constant half of the solver: a profile compiled for one number type.
-// Lengths are in sphere radii and every joint's axis is the z of its frame: both make the arithmetic of a solve
-// shorter.
+// The constant half of the solver: a profile compiled for one number type. Lengths are in sphere radii and every
+// joint's axis is the z of its frame: both make the arithmetic of a solve shorter.
 #pragma once
 
 #include <array>
@@ -8,13 +7,13 @@
 #include <utility>
 #include <vector>
 
-#include "uhas/runtime/cascade/action_decoder.hpp"
 #include "uhas/kinematics/cascade_plan.hpp"
-#include "uhas/runtime/cascade_solver.hpp"
 #include "uhas/kinematics/contact.hpp"
-#include "uhas/runtime/lanes/lane_math.hpp"
+#include "uhas/runtime/cascade/action_decoder.hpp"
 #include "uhas/runtime/cascade/moments.hpp"
 #include "uhas/runtime/cascade/plane_groups.hpp"
+#include "uhas/runtime/cascade_solver.hpp"
+#include "uhas/runtime/lanes/lane_math.hpp"
 
 namespace uhas {
 
@@ -38,7 +37,8 @@ struct SolverJoint {
   Real least{}, greatest{};             ///< profile units: the limits; of a mimic follower infinite
   JointValue<Real> lower, upper;        ///< solver units, like every joint value below
   JointValue<Real> start;               ///< before the cascade: q_sphere, or open for what a contact is sought for
-  RigidTransform<Real> decayed_T_parent_start;  ///< the joint's frame moved by `start`, times `decay_inward` of the first pass
+  RigidTransform<Real>
+      decayed_T_parent_start;  ///< the joint's frame moved by `start`, times `decay_inward` of the first pass
   Real q_closed{};
   JointTravel<Real> travel;
   std::array<Real, kLeadInputs> lead{};  ///< rad a radius: how far the first fit goes ahead for the joints further out
@@ -58,8 +58,8 @@ struct SolverJoint {
     return {q, turn.cosine, turn.sine};
   }
 
-  /// `q` in profile units, which for a turn are those of the solver: the product may round past a limit, the result is never
-  /// beyond it.
+  /// `q` in profile units, which for a turn are those of the solver: the product may round past a limit, the result is
+  /// never beyond it.
   template <class Num>
   Num in_profile_units(Num q) const {
     return prismatic ? clamp(q * Num(unit), Num(least), Num(greatest)) : q;
@@ -70,7 +70,8 @@ struct SolverJoint {
   RigidTransform<Num> moved(const RigidTransform<Num>& F, const JointValue<Num>& value) const {
     const Vector3<Num> x = F.rotation.column(0), y = F.rotation.column(1), z = F.rotation.column(2);
     if (prismatic) return {F.rotation, F.translation + value.q * z};
-    return {Rotation<Num>::from_columns(value.cosine * x + value.sine * y, value.cosine * y - value.sine * x, z), F.translation};
+    return {Rotation<Num>::from_columns(value.cosine * x + value.sine * y, value.cosine * y - value.sine * x, z),
+            F.translation};
   }
 };
 
@@ -102,11 +103,11 @@ template <class Real>
 struct SolverPatch {
   int joint{}, finger{};
   std::size_t first{}, last{};
-  bool first_of_joint{};                         ///< of the joint's patches, in the order of `patches_of_finger`
+  bool first_of_joint{};  ///< of the joint's patches, in the order of `patches_of_finger`
   Real least_phi{}, greatest_phi{}, least_rho{};
-  PointMoments<Real> rest;                       ///< undeformed
-  std::vector<TargetMoments<Real>> beyond;       ///< [point] of this and all later points, targets `direction`
-  std::vector<TargetMoments<Real>> beyond_phi;   ///< [point] of this and all later points, targets phi `direction`
+  PointMoments<Real> rest;                      ///< undeformed
+  std::vector<TargetMoments<Real>> beyond;      ///< [point] of this and all later points, targets `direction`
+  std::vector<TargetMoments<Real>> beyond_phi;  ///< [point] of this and all later points, targets phi `direction`
   PointColumns<Real> columns;
 };
 
@@ -129,17 +130,17 @@ struct SolverStep : CascadeStep {
   int first_finger{};                       ///< of `fingers`
   bool single{};                            ///< one joint, without followers
   std::vector<std::pair<int, int>> nested;  ///< driven turning joints of which the first carries the second
-  std::vector<ScopedJoint> scope;  ///< driven joints and all joints further out, in tree order
+  std::vector<ScopedJoint> scope;           ///< driven joints and all joints further out, in tree order
 };
 
 /// A part of the hand that no other part moves: a finger, or fingers that share a joint. Parts are solved one after the
 /// other, so that the memory one needs stays near.
 struct SolverPart {
-  std::vector<ScopedJoint> tree;      ///< its joints, in tree order
+  std::vector<ScopedJoint> tree;  ///< its joints, in tree order
   std::vector<int> fingers;
-  std::vector<int> laterals;          ///< indices into `SolverModel::laterals`
-  std::vector<int> lateral_followers; ///< joints that mimic one of these
-  std::vector<int> steps;             ///< indices into `SolverModel::steps`, in solving order
+  std::vector<int> laterals;           ///< indices into `SolverModel::laterals`
+  std::vector<int> lateral_followers;  ///< joints that mimic one of these
+  std::vector<int> steps;              ///< indices into `SolverModel::steps`, in solving order
 };
 
 /// One sweep over a part.
@@ -158,20 +159,20 @@ struct SolverModel {
 
   SolveOptions options;
   ActionDecoder<Real> decoder;
-  Real azimuth_sign{1};                        ///< -1 on a mirrored hand: azimuth = sign * canonical azimuth
+  Real azimuth_sign{1};  ///< -1 on a mirrored hand: azimuth = sign * canonical azimuth
   std::vector<SolverJoint<Real>> joints;
-  std::vector<SolverPoint<Real>> points;       ///< sorted by patch
+  std::vector<SolverPoint<Real>> points;  ///< sorted by patch
   std::vector<SolverPatch<Real>> patches;
   std::vector<std::vector<int>> patches_of_finger;  ///< [finger] indices into `patches`, of those that a step moves
   std::vector<SolverLateral<Real>> laterals;
   std::vector<SolverStep> steps;
   std::vector<SolverPart> parts;
   std::vector<SolverPass<Real>> passes;
-  std::vector<int> step_at;                    ///< [joint] the step solved when the sweep reaches the joint; -1 = none
-  std::vector<int> tip_joint;                  ///< [finger]
-  std::vector<Vector3<Real>> p_tip;            ///< [finger] in the tip joint's moved frame
+  std::vector<int> step_at;          ///< [joint] the step solved when the sweep reaches the joint; -1 = none
+  std::vector<int> tip_joint;        ///< [finger]
+  std::vector<Vector3<Real>> p_tip;  ///< [finger] in the tip joint's moved frame
   PlaneGroups plane_groups;
-  std::vector<int> group_of_finger;            ///< [finger] index into `plane_groups`
+  std::vector<int> group_of_finger;  ///< [finger] index into `plane_groups`
 };
 
 /// Throws Error: invalid_profile for a profile that `validate_profile` refuses, invalid_action for passes or numbers of

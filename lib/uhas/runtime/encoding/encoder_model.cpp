@@ -1,11 +1,12 @@
+#include "uhas/runtime/encoding/encoder_model.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "uhas/runtime/encoding/damped_least_squares.hpp"
-#include "uhas/runtime/encoding/encoder_model.hpp"
 #include "uhas/kinematics/forward_kinematics.hpp"
 #include "uhas/kinematics/lateral_lookup.hpp"
+#include "uhas/runtime/encoding/damped_least_squares.hpp"
 
 namespace uhas {
 namespace {

@@ -1,22 +1,23 @@
+#include "uhas/runtime/encoding/encoding.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "uhas/runtime/encoding/damped_least_squares.hpp"
-#include "uhas/runtime/encoding/encoding.hpp"
 #include "uhas/kinematics/forward_kinematics.hpp"
+#include "uhas/runtime/encoding/damped_least_squares.hpp"
 
 namespace uhas {
 namespace {
 
 constexpr int kMaxUnknowns = kSlotCount * (1 + kMaxDrivingVectors);  // five fingers in one group
 
-// Added to the displacements of the linear start, one start after the other: to those of the first and third driving
-// vector, and to those of the second and fourth. Closing begins to fade at delta r = -0.5, with zero slope, so a
-// descent that comes from above does not enter: the second start lies beyond. Neighbours may also fit the wrong way
-// round.
+// Added to the displacements of the linear start, one start after the other: to those of the first and third
+// driving vector, and to those of the second and fourth. Closing begins to fade at delta r = -0.5, with zero slope,
+// so a descent that comes from above does not enter: the second start lies beyond. Neighbours may also fit the
+// wrong way round.
 struct StartShift {
   double odd, even;
 };

@@ -9,9 +9,9 @@
 
 namespace uhas {
 
-/// Levenberg's method with the solver itself, a group of fingers at a time but all groups in step: they do not touch
-/// each other, so that one solve of the hand serves every group. Everything is sized once; running it allocates
-/// nothing.
+/// Levenberg's method with the solver itself, a group of fingers at a time but all groups in step: they do
+/// not touch each other, so that one solve of the hand serves every group. Everything is sized once; running
+/// it allocates nothing.
 template <class Real>
 class Encoding {
  public:

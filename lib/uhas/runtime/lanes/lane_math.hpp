@@ -1,5 +1,5 @@
-// Sine, cosine and arc tangent without branches, for Lanes and plain numbers alike. Polynomials: Cephes (S. L.
-// Moshier).
+// Sine, cosine and arc tangent without branches, for Lanes and plain numbers alike. Polynomials: Cephes
+// (S. L. Moshier).
 //
 // Largest errors, held by the unit test against libm in extended precision:
 //   sincos  |x| <= 1000 rad                         float 1.3e-7,  double 2.3e-16

@@ -26,8 +26,8 @@ struct LaneNumbers {
   }
 };
 
-/// Turns rows into columns: lane j of rows[i] becomes lane i of rows[j]. Loops are unrolled so that the rows stay in
-/// registers.
+/// Turns rows into columns: lane j of rows[i] becomes lane i of rows[j]. Loops are unrolled so that the rows
+/// stay in registers.
 template <class Real, int N, class Tag>
 struct LaneTranspose {
   using Vector = typename Lanes<Real, N, Tag>::Vector;

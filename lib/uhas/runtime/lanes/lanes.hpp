@@ -4,9 +4,9 @@
 // works on one hand a lane. Hence every function below exists for plain numbers too; their comparisons give bool, those
 // of Lanes a LaneMask, and what would be a branch is a `select`.
 //
-// `Tag` is a type in an unnamed namespace of the source file that instantiates a kernel. It gives all of that kernel's
-// code internal linkage: what has been compiled for one instruction set cannot be linked into code that runs without
-// it.
+// `Tag` is a type in an unnamed namespace of the source file that instantiates a kernel. It gives all of that
+// kernel's code internal linkage: what has been compiled for one instruction set cannot be linked into code that
+// runs without it.
 #pragma once
 
 #include <bit>

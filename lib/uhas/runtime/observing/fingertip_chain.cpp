@@ -1,8 +1,9 @@
+#include "uhas/runtime/observing/fingertip_chain.hpp"
+
 #include <cmath>
 #include <numbers>
 
 #include "uhas/kinematics/axis_frame.hpp"
-#include "uhas/runtime/observing/fingertip_chain.hpp"
 
 namespace uhas {
 namespace {

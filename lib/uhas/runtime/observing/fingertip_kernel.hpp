@@ -3,9 +3,9 @@
 
 #include <cstddef>
 
-#include "uhas/runtime/observing/fingertip_chain.hpp"
 #include "uhas/runtime/lanes/lane_math.hpp"
 #include "uhas/runtime/lanes/lane_rows.hpp"
+#include "uhas/runtime/observing/fingertip_chain.hpp"
 
 namespace uhas {
 

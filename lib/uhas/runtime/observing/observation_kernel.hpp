@@ -32,9 +32,9 @@ struct ObservationModel {
   int size;                           ///< numbers of an observation
 };
 
-/// One walk from the palm outward. Carrying velocities along gives each body the sum that a Jacobian times qd would,
-/// without the Jacobian: a joint adds its own rate about or along its axis to what its parent has at the joint's
-/// origin.
+/// One walk from the palm outward. Carrying velocities along gives each body the sum that a Jacobian times qd
+/// would, without the Jacobian: a joint adds its own rate about or along its axis to what its parent has at
+/// the joint's origin.
 /// @param q, qd   [joints] Num
 /// @param turn_of  called as turn_of(angle): its SinCos
 template <class Num, class Real, class TurnOf>

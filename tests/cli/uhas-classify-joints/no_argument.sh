@@ -1,1 +1,3 @@
 uhas-classify-joints
+#? 2
+#2> uhas-classify-joints: error: hand.urdf is required; see uhas-classify-joints --help

@@ -1,1 +1,4 @@
 uhas-solve --version
+#> uhas-solve 0.1.0
+#> hand profile format 1.0
+#> JSON formats 1

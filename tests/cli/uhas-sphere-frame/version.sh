@@ -1,1 +1,4 @@
 uhas-sphere-frame --version
+#> uhas-sphere-frame 0.1.0
+#> hand profile format 1.0
+#> JSON formats 1

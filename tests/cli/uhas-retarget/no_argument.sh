@@ -1,3 +1,0 @@
-uhas-retarget
-#? 2
-#2> uhas-retarget: error: trajectory is required; see uhas-retarget --help

@@ -1,3 +1,0 @@
-uhas-solve
-#? 2
-#2> uhas-solve: error: actions.json is required; see uhas-solve --help

@@ -1,4 +1,0 @@
-uhas-solve --version
-#> uhas-solve 0.1.0
-#> hand profile format 1.0
-#> JSON formats 1

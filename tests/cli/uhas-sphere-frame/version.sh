@@ -1,4 +1,0 @@
-uhas-sphere-frame --version
-#> uhas-sphere-frame 0.1.0
-#> hand profile format 1.0
-#> JSON formats 1

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The command tests under Valgrind's memcheck: no invalid access, no use of uninitialised memory, no memory definitely lost.
 #
-#   tests/cli/run_valgrind.sh [TOOL...]        for example uhas-solve; by default all tools, one after the other
+#   tests/cli/run_valgrind.sh [FOLDER...]      of cases, for example uhas-solve; by default all, one after the other
 #
 # Builds the preset `dev` first. A profile's build takes 4 to 5 s of processor time. tests/fuzz/RESULTS.md says what was found.
 set -euo pipefail
@@ -9,8 +9,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
 source packages/debian.sh
 install_missing "${uhas_build_packages[@]}" "${uhas_test_packages[@]}" "${uhas_long_form_packages[@]}"
-tools=("$@")
-((${#tools[@]})) || mapfile -t tools < <(cd tests/cli && printf '%s\n' uhas-*)
+folders=("$@")
+((${#folders[@]})) || mapfile -t folders < <(cd tests/cli && printf '%s\n' every_tool uhas-*)
 cmake --preset dev
 cmake --build --preset dev
 
@@ -30,13 +30,13 @@ END
 done
 
 failed=()
-for tool in "${tools[@]}"; do
-  echo "== $tool"
-  /usr/bin/python3 tests/cli/run_cases.py "$tool" --bin "$scratch/bin" --timeout 1800 || failed+=("$tool: cases")
+for folder in "${folders[@]}"; do
+  echo "== $folder"
+  /usr/bin/python3 tests/cli/run_cases.py "$folder" --bin "$scratch/bin" --timeout 1800 || failed+=("$folder: cases")
   find "$scratch/logs" -type f -size +0 -exec cat {} + > "$scratch/errors"
   if [[ -s $scratch/errors ]]; then
     cat "$scratch/errors"
-    failed+=("$tool: memory")
+    failed+=("$folder: memory")
   fi
   rm -f "$scratch"/logs/*
 done

@@ -31,12 +31,16 @@ def shows(shown, printed):
     return gap or position == len(lines)
 
 
+def talk(stderr):
+    """Lines of stderr that a success must not leave: all but warnings."""
+    return [line for line in stderr.splitlines() if ": warning: " not in line]
+
+
 def run(command, shown, folder, environment):
     """Faults of one command: it must succeed, leave stderr empty but for warnings, and print `shown` where that is not empty."""
     done = subprocess.run(["bash", "-o", "pipefail", "-c", command], cwd=folder, env=environment, stdin=subprocess.DEVNULL,
                           capture_output=True, text=True)
-    talk = [line for line in done.stderr.splitlines() if ": warning: " not in line]
-    if done.returncode != 0 or talk:
+    if done.returncode != 0 or talk(done.stderr):
         return [f"'{command}' exits with {done.returncode}: {done.stderr.strip()}"]
     if shown and not shows(shown, done.stdout):
         return [f"'{command}' does not print\n{shown}but\n{done.stdout}"]

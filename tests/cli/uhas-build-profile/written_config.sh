@@ -6,3 +6,4 @@ import json
 inferred, stated = (json.load(open(name)) for name in ("inferred.json", "stated.json"))
 print([key for key in inferred if inferred[key] != stated[key]], set(stated["confidence"].values()))
 EOF
+#> ['confidence'] {1.0}

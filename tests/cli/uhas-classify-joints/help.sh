@@ -1,1 +1,35 @@
 uhas-classify-joints --help
+#> Tells the lateral joints of a robot hand, which move a fingertip across the sphere, from the encompassing ones.
+#> Usage: uhas-classify-joints [OPTIONS] hand.urdf
+#>
+#> Positionals:
+#>   hand.urdf FILE REQUIRED     URDF of the hand
+#>
+#> Options:
+#>   --config FILE               Hand config (JSON) that overrides what would be inferred
+#>   --package NAME=DIR          Folder that package://NAME/ stands for; repeatable
+#>   --allow-outside             Read meshes outside the folder of the model and of its packages, too
+#>   --geometry visual|collision|both
+#>                               Which meshes are the hand's surface [visual]
+#>   --radius-scale S            Factor on the sphere's radius [1]
+#>   --merge-pinky               Five fingers: pinky and ring share the mean of their two slots
+#>
+#>
+#> Limits:
+#>   --max-urdf-bytes N          Refuse a larger URDF [16777216]
+#>   --max-links N               Refuse a model of more links [2000]
+#>   --max-mesh-bytes N          Refuse a larger mesh file [536870912]
+#>   --max-triangles N           Refuse a hand of more triangles [20000000]
+#>   --max-config-bytes N        Refuse a larger hand config [1048576]
+#>   --max-read-seconds N        End the reading of a file that takes longer [60]
+#>   --max-read-bytes N          End the reading of a file that takes more memory [4294967296]
+#>
+#>
+#> Common options:
+#>   --json                      Print the result as JSON
+#>   --quiet                     Print no warnings and no progress
+#>   --verbose                   Say on stderr what is being done
+#>   --version                   Print the version and exit; with --verbose those of the libraries, too
+#>   -h,--help                   Print this help and exit
+#>
+#> Exit codes: 0 done, 1 the input or the run failed, 2 wrong usage.

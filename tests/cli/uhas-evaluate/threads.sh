@@ -4,3 +4,4 @@ for threads in 1 3; do
     grep -v '"time"' > $threads.json
 done
 cmp 1.json 3.json && echo same
+#> same

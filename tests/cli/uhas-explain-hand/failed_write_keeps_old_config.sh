@@ -3,3 +3,6 @@ uhas-explain-hand hand/allegro_right.urdf --config hand.json --write-config hand
 code=$?
 cat hand.json
 exit $code
+#? 1
+#> old
+#2> uhas-explain-hand: error: hand.json:1: not valid JSON; correct the syntax

@@ -7,3 +7,13 @@ for item in json.load(open("explanation.json"))["items"]:
     print(item["item"], "same" if item["value"] == config.pop(item["item"]) else "different")
 print(*config)
 EOF
+#> palm_link same
+#> fingers same
+#> fingertips same
+#> thumb same
+#> palm_normal_in_root same
+#> q_open same
+#> middle_finger same
+#> handedness same
+#> q_closed same
+#> format version

@@ -1,1 +1,39 @@
 uhas-inspect --help
+#> Shows what a hand profile says: palm, sphere, fingers, joints and poses.
+#> Usage: uhas-inspect [OPTIONS] profile.h5...
+#>
+#> Positionals:
+#>   profile.h5 FILE... REQUIRED Hand profile; several with --html
+#>
+#> Options:
+#>   -g,--get KEY                Print one value of the JSON summary instead, for example sphere.radius or fingers.0.name
+#>   --findings                  Show also what was inferred of the hand, how surely and why
+#>   --validate                  Check instead that the profile is sound; exit 1 when it is not
+#>   --check hand.urdf           Check instead that the profile was built from this URDF and its meshes; exit 1 when not
+#>   --html hand.html            Draw the hands, which move by sliders, as a page for any browser, offline
+#>   --gltf hand.glb             Draw the wrapped hand, its sphere and its surface points as binary glTF
+#>   --ply points.ply            Write the surface points with their sphere coordinates as PLY
+#>   --svg tables.svg            Draw the lateral tables as SVG
+#>   --urdf hand.urdf            URDF that the profile was built from, for its meshes; repeatable [the one beside the profile or in this folder]
+#>   --package NAME=DIR          Folder that package://NAME/ stands for; repeatable
+#>   --allow-outside             Read meshes outside the folder of the model and of its packages, too
+#>   --reseal                    Make a profile that was edited with an HDF5 tool readable again
+#>
+#>
+#> Limits:
+#>   --max-urdf-bytes N          Refuse a larger URDF [16777216]
+#>   --max-links N               Refuse a model of more links [2000]
+#>   --max-mesh-bytes N          Refuse a larger mesh file [536870912]
+#>   --max-triangles N           Refuse a hand of more triangles [20000000]
+#>   --max-read-seconds N        End the reading of a file that takes longer [60]
+#>   --max-read-bytes N          End the reading of a file that takes more memory [4294967296]
+#>
+#>
+#> Common options:
+#>   --json                      Print the result as JSON
+#>   --quiet                     Print no warnings and no progress
+#>   --verbose                   Say on stderr what is being done
+#>   --version                   Print the version and exit; with --verbose those of the libraries, too
+#>   -h,--help                   Print this help and exit
+#>
+#> Exit codes: 0 done, 1 the input or the run failed, 2 wrong usage.

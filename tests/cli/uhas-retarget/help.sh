@@ -1,1 +1,29 @@
 uhas-retarget --help
+#> Carries a trajectory of joint values from one hand to another.
+#> Usage: uhas-retarget [OPTIONS] trajectory
+#>
+#> Positionals:
+#>   trajectory FILE REQUIRED    Trajectory: .json, .jsonl or .h5; - reads one frame a line (JSON Lines) from standard input
+#>
+#> Options:
+#>   --from FILE REQUIRED        Profile of the hand that was recorded
+#>   --to FILE REQUIRED          Profile of the hand that is to move so
+#>   -o,--output FILE            File to write to: .json, .jsonl or .h5 [standard output]
+#>   --driving-vectors N         Driving vectors in each plane; more follow the first hand more closely [2]
+#>
+#>
+#> Limits:
+#>   --max-json-bytes N          Refuse a larger trajectory in .json [67108864]
+#>   --max-hdf5-bytes N          Refuse an HDF5 trajectory of more bytes, unpacked [4294967296]
+#>   --max-read-seconds N        End the reading of a file that takes longer [60]
+#>   --max-read-bytes N          End the reading of a file that takes more memory [4294967296]
+#>
+#>
+#> Common options:
+#>   --json                      Print the result as JSON
+#>   --quiet                     Print no warnings and no progress
+#>   --verbose                   Say on stderr what is being done
+#>   --version                   Print the version and exit; with --verbose those of the libraries, too
+#>   -h,--help                   Print this help and exit
+#>
+#> Exit codes: 0 done, 1 the input or the run failed, 2 wrong usage.

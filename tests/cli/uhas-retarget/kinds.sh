@@ -29,3 +29,6 @@ assert document["residual_rms"] == [line["residual_rms"] for line in lines[1:-1]
 assert document["summary"] == lines[-1]["summary"] and document["joint_names"] == [n.decode() for n in file["joint_names"]]
 assert file.attrs["format"] == b"uhas-trajectory" and file.attrs["version"] == 1 and file.attrs["hand"] == b"allegro_right"
 END
+#> json: the same from every kind
+#> jsonl: the same from every kind
+#> h5: the same from every kind

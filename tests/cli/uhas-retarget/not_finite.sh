@@ -8,3 +8,5 @@ uhas-retarget --from profile/allegro_right.h5 --to profile/allegro_right.h5 t.h5
 code=$?
 ls -A | grep -v -x -e hand -e profile -e t.h5
 exit $code
+#? 1
+#2> uhas-retarget: error: t.h5: frame 1: has a value that is not finite; mend or leave out the frame

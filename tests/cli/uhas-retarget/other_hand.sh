@@ -8,3 +8,5 @@ uhas-retarget --from profile/allegro_right.h5 --to profile/allegro_right.h5 t.js
 code=$?
 ls out.json 2> /dev/null
 exit $code
+#> out.json
+#2> uhas-retarget: warning: the trajectory is of allegro_left, the profile of --from is of allegro_right

@@ -8,3 +8,5 @@ uhas-retarget --from profile/allegro_right.h5 --to profile/allegro_right.h5 t.js
 code=$?
 ls out.json 2> /dev/null
 exit $code
+#? 1
+#2> uhas-retarget: error: t.json: frame 1: has 15 values for 16 joints; write one for each joint of joint_names

@@ -8,3 +8,5 @@ uhas-retarget --from profile/allegro_right.h5 --to profile/allegro_right.h5 t.js
 code=$?
 ls out.json 2> /dev/null
 exit $code
+#? 1
+#2> uhas-retarget: error: t.json: frame 1: is not a frame; write an array of numbers, or {"q": [numbers]}

@@ -13,3 +13,7 @@ for row, frame in zip(before, after, strict=True):
     print("within" if error <= 0.01 else "beyond", "0.01 rad;", "told rightly" if abs(error - frame["residual_max"]) < 1e-9 else "told wrongly")
 print({key: last["summary"][key] for key in ("frames", "off_manifold", "worst_frame")})
 END
+#> within 0.01 rad; told rightly
+#> within 0.01 rad; told rightly
+#> beyond 0.01 rad; told rightly
+#> {'frames': 3, 'off_manifold': 1, 'worst_frame': 2}

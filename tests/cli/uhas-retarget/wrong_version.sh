@@ -8,3 +8,5 @@ uhas-retarget --from profile/allegro_right.h5 --to profile/allegro_right.h5 t.js
 code=$?
 ls out.json 2> /dev/null
 exit $code
+#? 1
+#2> uhas-retarget: error: t.json: version is 2, this tool reads 1; write "version": 1

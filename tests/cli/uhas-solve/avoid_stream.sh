@@ -4,3 +4,9 @@ printf '%s\n' '[0,0,0,0,0, 0,0,0,0,-2]' '[1, 2]' '[0,0,0,0,0, 0,0,0,0,0.1]' | uh
 code=$?
 grep -o '"scaled":0.[0-9]\|"scaled":1.0\|"line":2' lines.json
 exit $code
+#? 1
+#> "scaled":0.4
+#> "line":2
+#> "scaled":1.0
+#2> uhas-solve: warning: scaled back 1 of 2 actions: the hand would collide with itself
+#2> uhas-solve: error: standard input: 1 of the lines could not be solved; see "error" in the output

@@ -19,3 +19,4 @@ difference = max(abs(a - b) for q, s in zip(timeline["q"], solutions, strict=Tru
 assert difference < 1e-12, difference
 print([round(x, 3) for x in timeline["actions"][1]], timeline["options"])
 END
+#> [0.372, 0.0, -0.216, 0.425, -0.151, -2.0, -1.0, 0.0, 1.0, 0.0, 0.0, -2.0, 0.0, 0.0, -2.0] {'rule': 'correspondence', 'closing': 'fade', 'field': 'finger', 'passes': 1}

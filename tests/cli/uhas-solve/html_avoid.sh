@@ -11,3 +11,4 @@ for action, asked, solution in zip(timeline["actions"], (-2, 0.1), solutions, st
 for q, solution in zip(timeline["q"], solutions, strict=True):
     assert max(abs(a - b) for a, b in zip(q, solution["q"], strict=True)) < 1e-12
 END
+#2> uhas-solve: warning: scaled back 1 of 2 actions: the hand would collide with itself

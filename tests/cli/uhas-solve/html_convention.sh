@@ -4,3 +4,5 @@ END
 uhas-solve actions.json --html report.html
 code=$?
 test ! -e report.html && exit $code
+#? 2
+#2> uhas-solve: error: --html: shows actions of uhas' own convention only; see uhas-solve --help

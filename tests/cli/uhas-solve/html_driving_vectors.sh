@@ -4,3 +4,5 @@ cat > actions.json <<'END'
 END
 uhas-solve actions.json -o solution.json --html report.html
 grep -o '"driving_vectors_phi":[^}]*' report.html | cut -d, -f1-5
+#> "driving_vectors_phi":[0.8,1.0,1.2,1.4,1.6]
+#2> uhas-solve: warning: profile/allegro_right.h5: its model is not here, so the picture lacks the meshes; name the URDF with --urdf

@@ -4,3 +4,5 @@ END
 uhas-solve actions.json -o solution.json
 code=$?
 test ! -e solution.json && exit $code
+#? 1
+#2> uhas-solve: error: actions.json: action 1: has 10 numbers, not 15; give all actions of a file the same number of driving vectors

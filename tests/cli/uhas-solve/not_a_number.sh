@@ -5,3 +5,5 @@ END
 uhas-solve actions.json -o solution.json
 code=$?
 test ! -e solution.json && exit $code
+#? 1
+#2> uhas-solve: error: actions.json:2: not JSON: syntax error while parsing value - invalid literal; last read: '"actions": [[N'; correct the syntax

@@ -4,3 +4,5 @@ END
 uhas-solve actions.json -o solution.json
 code=$?
 test ! -e solution.json && exit $code
+#? 1
+#2> uhas-solve: error: actions.json: unknown key "action"; the keys are format, version, profile, convention, driving_vectors_phi, normalized, actions

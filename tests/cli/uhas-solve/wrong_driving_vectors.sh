@@ -4,3 +4,5 @@ END
 uhas-solve actions.json -o solution.json
 code=$?
 test ! -e solution.json && exit $code
+#? 1
+#2> uhas-solve: error: actions.json: action 0: driving-vector angles must increase strictly within (0, pi)

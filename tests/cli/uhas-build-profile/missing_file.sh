@@ -1,1 +1,0 @@
-uhas-build-profile hand/missing.urdf; code=$?; ls; exit $code

@@ -1,1 +1,0 @@
-echo hello > hand.urdf; uhas-build-profile hand.urdf

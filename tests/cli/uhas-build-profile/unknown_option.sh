@@ -1,1 +1,0 @@
-uhas-build-profile hand/allegro_right.urdf --jsno

@@ -1,1 +1,0 @@
-uhas-build-profile --version

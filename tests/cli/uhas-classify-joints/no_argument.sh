@@ -1,1 +1,0 @@
-uhas-classify-joints

@@ -1,1 +1,0 @@
-uhas-classify-joints hand/allegro_right.urdf --jsno

@@ -1,1 +1,0 @@
-uhas-evaluate profile/allegro_right.h5 --no-such-option

@@ -1,1 +1,0 @@
-uhas-explain-hand hand/allegro_right.urdf --jsno

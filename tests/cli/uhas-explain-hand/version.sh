@@ -1,1 +1,0 @@
-uhas-explain-hand --version

@@ -1,1 +1,0 @@
-echo hello > hand.h5; uhas-inspect hand.h5

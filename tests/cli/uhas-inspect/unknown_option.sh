@@ -1,1 +1,0 @@
-uhas-inspect profile/allegro_right.h5 --jsno

@@ -1,1 +1,0 @@
-uhas-lateral-tables hand/allegro_right.urdf --jsno

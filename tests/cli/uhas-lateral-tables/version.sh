@@ -1,1 +1,0 @@
-uhas-lateral-tables --version

@@ -1,1 +1,0 @@
-uhas-project-surface hand/allegro_right.urdf --jsno

@@ -1,1 +1,0 @@
-uhas-retarget --from hand.h5 --to hand.h5 trajectory.json --jsno

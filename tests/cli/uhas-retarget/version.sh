@@ -1,1 +1,0 @@
-uhas-retarget --version

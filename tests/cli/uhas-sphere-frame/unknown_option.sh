@@ -1,1 +1,0 @@
-uhas-sphere-frame hand/allegro_right.urdf --jsno

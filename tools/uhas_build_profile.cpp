@@ -30,7 +30,7 @@ ExitCode build(Tool& tool) {
   add_write_config_option(tool.options(), config_output);
   tool.parse();
 
-  const BuildStages stages = run_stages(tool, input, Stage::correspondences);
+  const BuildStages stages = run_stages(tool, input, BuildStage::correspondences);
   const HandProfile profile = make_profile(stages, input.settings);
   if (output.empty()) output = default_output(profile);
   write_hand_config(config_output, stages, input.settings);

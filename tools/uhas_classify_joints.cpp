@@ -47,7 +47,7 @@ ExitCode run(Tool& tool) {
   add_hand_options(tool.options(), input);
   tool.parse();
 
-  const BuildStages stages = run_stages(tool, input, Stage::classification);
+  const BuildStages stages = run_stages(tool, input, BuildStage::classification);
   if (tool.json())
     std::cout << to_text(joint_classes_json(stages));
   else

@@ -17,7 +17,7 @@ ExitCode explain(Tool& tool) {
   add_write_config_option(tool.options(), config_output);
   tool.parse();
 
-  const BuildStages stages = run_stages(tool, input, Stage::classification);
+  const BuildStages stages = run_stages(tool, input, BuildStage::classification);
   write_hand_config(config_output, stages, input.settings);
   if (tool.json())
     std::cout << to_text(hand_explanation_json(stages, input.settings));

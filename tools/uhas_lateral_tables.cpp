@@ -49,7 +49,7 @@ ExitCode run(Tool& tool) {
   add_lateral_options(tool.options(), input.settings.lateral_tables);
   tool.parse();
 
-  const BuildStages stages = run_stages(tool, input, Stage::lateral_tables);
+  const BuildStages stages = run_stages(tool, input, BuildStage::lateral_tables);
   if (tool.json())
     std::cout << to_text(lateral_tables_json(stages));
   else

@@ -34,7 +34,7 @@ ExitCode run(Tool& tool) {
   tool.options().add_option("-o,--output", output, "Also write every point to this file, as JSON")->type_name("FILE");
   tool.parse();
 
-  const BuildStages stages = run_stages(tool, input, Stage::correspondences);
+  const BuildStages stages = run_stages(tool, input, BuildStage::correspondences);
   if (!output.empty()) write_result(output, to_text(surface_points_json(stages)));
   if (tool.json())
     std::cout << to_text(surface_hits_json(stages));

@@ -21,8 +21,8 @@ struct Options {
   std::string actions, profile, output, html;
   ModelInput model;
   std::optional<SolveOptions> convention;
-  std::optional<Rule> rule;
-  std::optional<Closing> closing;
+  std::optional<CascadeRule> rule;
+  std::optional<CascadeClosing> closing;
   SolveOptions solve;  // field and passes
   JointSelection joints;
   CollisionUse collision;
@@ -50,12 +50,12 @@ void add_options(CLI::App& app, Options& options) {
   for (const NamedConvention& convention : kConventions) conventions.emplace_back(convention.name, convention.options);
   add_choice(app, "--convention", options.convention, conventions,
              "What the numbers of an action mean [the one that the actions file names, else uhas]");
-  add_choice<std::optional<Rule>>(app, "--rule", options.rule,
-                                  {{"correspondence", Rule::correspondence}, {"contact", Rule::contact}},
-                                  "How a joint angle follows from the deformed sphere [correspondence]");
-  add_choice<std::optional<Closing>>(app, "--closing", options.closing,
-                                     {{"fade", Closing::fade}, {"hard", Closing::hard}},
-                                     "How joints close as the sphere vanishes [fade]");
+  add_choice<std::optional<CascadeRule>>(
+      app, "--rule", options.rule, {{"correspondence", CascadeRule::correspondence}, {"contact", CascadeRule::contact}},
+      "How a joint angle follows from the deformed sphere [correspondence]");
+  add_choice<std::optional<CascadeClosing>>(app, "--closing", options.closing,
+                                            {{"fade", CascadeClosing::fade}, {"hard", CascadeClosing::hard}},
+                                            "How joints close as the sphere vanishes [fade]");
   add_choice<FieldReading>(app, "--field", options.solve.field,
                            {{"finger", FieldReading::finger}, {"field", FieldReading::field}},
                            "Which deformation a point takes: its finger's, or the interpolated one [finger]");

@@ -51,7 +51,7 @@ ExitCode run(Tool& tool) {
   add_hand_options(tool.options(), input);
   tool.parse();
 
-  const BuildStages stages = run_stages(tool, input, Stage::sphere_frame);
+  const BuildStages stages = run_stages(tool, input, BuildStage::sphere_frame);
   if (tool.json())
     std::cout << to_text(sphere_frame_json(stages));
   else

@@ -16,7 +16,7 @@ namespace uhas::benchmark {
 namespace {
 
 /// URDF to the bytes of the profile's file; `listener` hears of the stages, writing included.
-std::size_t build(const std::filesystem::path& urdf, const StageListener& listener) {
+std::size_t build(const std::filesystem::path& urdf, const BuildListener& listener) {
   const HandProfile profile = build_profile(urdf.string(), {}, listener);
   listener("writing the profile");
   const std::size_t bytes = image_of_profile(profile, "").size();

@@ -21,11 +21,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   constexpr std::array types{"stl", "obj", "dae", "ply", "glb", "gltf"};
   const std::string name = std::string("mesh.") + types[data[0] % types.size()];
   const std::string path = input_file(name, as_text(data + 1, size - 1));
-  LoadOptions here, in_child;
+  ModelLoadOptions here, in_child;
   here.max_triangles = in_child.max_triangles = 100'000;
   in_child.in_child = {.max_memory_bytes = 1u << 30, .max_seconds = 10};
   TriangleMesh mesh;
-  const auto read = [&](const LoadOptions& options) {
+  const auto read = [&](const ModelLoadOptions& options) {
     const MeshFolders folders(path, options);
     SourceLog sources(std::filesystem::path(path).parent_path());
     const MeshFile file{path, name};

@@ -14,8 +14,9 @@ inline void build_small(HandModel model, const HandConfig& config) {
   settings.lateral_tables.steps = 21;
   settings.correspondences.samples = 200;
   HandProfile profile;
-  if (!accepted(
-          [&] { profile = make_profile(run_stages(std::move(model), settings, Stage::correspondences), settings); }))
+  if (!accepted([&] {
+        profile = make_profile(run_stages(std::move(model), settings, BuildStage::correspondences), settings);
+      }))
     return;
   CascadeSolver<double> solver(profile);
   const std::vector<double> action(15);

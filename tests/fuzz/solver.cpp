@@ -39,8 +39,8 @@ std::pair<const HandProfile&, CascadeSolver<Real>&> choose_solver(FuzzedDataProv
   const auto choice = input.ConsumeIntegralInRange<unsigned>(0, 63);
   const HandProfile& profile = profiles[choice & 1];
   SolveOptions options = choice & 2 ? kUhasSim : kUhas;
-  options.rule = choice & 4 ? Rule::contact : Rule::correspondence;
-  options.closing = choice & 8 ? Closing::hard : Closing::fade;
+  options.rule = choice & 4 ? CascadeRule::contact : CascadeRule::correspondence;
+  options.closing = choice & 8 ? CascadeClosing::hard : CascadeClosing::fade;
   options.field = choice & 16 ? FieldReading::field : FieldReading::finger;
   options.passes = choice & 32 ? 3 : 1;
   return {profile, solvers.try_emplace(choice, profile, options).first->second};

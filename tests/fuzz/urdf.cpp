@@ -6,7 +6,7 @@ using namespace uhas::test;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   constexpr std::size_t max_joints = 30;  // keeps an input under a second
-  LoadOptions options;
+  ModelLoadOptions options;
   options.max_triangles = 20'000;
   HandModel model;
   const bool loaded = accepted([&] { model = load_hand_model(input_file("hand.urdf", as_text(data, size)), options); });

@@ -16,7 +16,7 @@ namespace {
 const HandModel& model() { return real_stages().model; }
 
 void check(HandModel changed, const Relation& relation, const std::string& what) {
-  const HandProfile profile = make_profile(run_stages(std::move(changed), {}, Stage::correspondences), {});
+  const HandProfile profile = make_profile(run_stages(std::move(changed), {}, BuildStage::correspondences), {});
   check_same_hand(real_profile(), profile, relation, what);
 }
 
@@ -72,7 +72,7 @@ TEST_CASE("axis signs") {
 
 TEST_CASE("order of elements in the URDF") {
   const std::filesystem::path folder = std::filesystem::absolute(real_hand().folder);
-  LoadOptions options;
+  ModelLoadOptions options;
   options.allow_outside = true;  // where the links lead
   for (const unsigned seed : {1, 2, 3}) {
     std::mt19937_64 random(seed);

@@ -14,7 +14,7 @@ using namespace uhas::test;
 namespace {
 
 HandProfile profile_of(const HandModel& model) {
-  return make_profile(run_stages(model, {}, Stage::correspondences), {});
+  return make_profile(run_stages(model, {}, BuildStage::correspondences), {});
 }
 
 }  // namespace

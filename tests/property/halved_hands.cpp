@@ -61,7 +61,7 @@ HandModel with_fingers(const HandModel& model, const Anatomy& whole, unsigned ke
 }
 
 double confidence_of_normal(const Anatomy& anatomy) {
-  return std::ranges::find(anatomy.findings, kKey, &Finding::item)->confidence;
+  return std::ranges::find(anatomy.findings, kKey, &HandFinding::item)->confidence;
 }
 
 bool warns_of_normal(const Anatomy& anatomy) {

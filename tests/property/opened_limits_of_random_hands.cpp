@@ -11,7 +11,7 @@ TEST_CASE("sideways ranges of random hands do not depend on limits that the wrap
   const std::uint64_t first = number_from_environment("UHAS_FIRST_SEED", 0);
   int opened = 0;
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
-    const BuildStages hand = run_stages(make_random_hand(seed).model, {}, Stage::lateral_tables);
+    const BuildStages hand = run_stages(make_random_hand(seed).model, {}, BuildStage::lateral_tables);
     opened += check_opened_limits(hand, LateralTableOptions{}.steps, "seed " + std::to_string(seed));
   }
   CHECK(opened > 0);

@@ -44,7 +44,7 @@ class Judge {
   const std::string& silent_misses() const { return silent_; }  ///< those that no doubt goes with
   bool warns() const {
     return !anatomy_.warnings.empty() ||
-           std::ranges::any_of(findings_, [](const Finding& f) { return f.confidence < 0.5; });
+           std::ranges::any_of(findings_, [](const HandFinding& f) { return f.confidence < 0.5; });
   }
 
  private:
@@ -88,7 +88,7 @@ class Judge {
   Anatomy anatomy_;
   SphereFrame frame_;
   std::vector<JointClassification> classes_;
-  std::vector<Finding> findings_;
+  std::vector<HandFinding> findings_;
   std::vector<int> match_;
   std::string misses_, silent_;
 };

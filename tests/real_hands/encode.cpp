@@ -132,11 +132,11 @@ TEST_CASE("what a solve gave without clamping a joint is encoded to an action th
   for (int vectors : {1, 3, 4})
     CHECK(exceeding_round_trips<double>({}, vectors, some, "V = " + std::to_string(vectors)) <= some / 300);
   CHECK(exceeding_round_trips<double>({.passes = 3}, 2, some, "three passes") == 0);
-  CHECK(exceeding_round_trips<double>({.closing = Closing::hard}, 2, some, "hard closing") == 0);
+  CHECK(exceeding_round_trips<double>({.closing = CascadeClosing::hard}, 2, some, "hard closing") == 0);
   CHECK(exceeding_round_trips<double>({.field = FieldReading::field}, 2, some, "reading `field`") == 0);
   CHECK(exceeding_round_trips<float>({}, 2, some, "float") == 0);
   // where a joint meets the sphere jumps from one part of the deformed profile to another: the descent may stop there
-  exceeding_round_trips<double>({.rule = Rule::contact}, 2, some, "rule `contact`, not checked");
+  exceeding_round_trips<double>({.rule = CascadeRule::contact}, 2, some, "rule `contact`, not checked");
 }
 
 TEST_CASE("any other posture is told its distance from the action manifold") {

@@ -32,7 +32,7 @@ TEST_CASE("the pose of every link is KDL's") {
   const KDL::Tree tree = uhas::test::kdl_tree(*urdf);
   KDL::TreeFkSolverPos_recursive solver(tree);
 
-  uhas::LoadOptions skeleton_only;
+  uhas::ModelLoadOptions skeleton_only;
   skeleton_only.load_meshes = false;
   const uhas::HandModel model = uhas::load_hand_model(hand.urdf, skeleton_only);
   REQUIRE(model.links.size() == urdf->links_.size());

@@ -47,7 +47,7 @@ std::set<std::string> links_with_geometry(const std::string& urdf) {
 }
 
 HandModel load(GeometrySource geometry) {
-  LoadOptions options;
+  ModelLoadOptions options;
   options.geometry = geometry;
   return load_hand_model(test::real_hand().urdf, options);
 }

@@ -179,9 +179,10 @@ TEST_CASE("the cascade comes near the numerical optimum") {
   std::vector<int> pass_counts{1, 3, 10};
   if (const char* more = std::getenv("UHAS_PASSES")) pass_counts = {std::atoi(more)};
   for (int passes : pass_counts) {
-    CascadeSolver<double> solver(
-        profile,
-        {.rule = Rule::correspondence, .closing = Closing::fade, .field = FieldReading::finger, .passes = passes});
+    CascadeSolver<double> solver(profile, {.rule = CascadeRule::correspondence,
+                                           .closing = CascadeClosing::fade,
+                                           .field = FieldReading::finger,
+                                           .passes = passes});
     std::vector<double> pooled, thumbs;
     int left_out = 0;
     std::vector<std::vector<double>> by_finger(profile.fingers.size());

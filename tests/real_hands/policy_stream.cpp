@@ -26,16 +26,16 @@ constexpr std::uint64_t kEpisodeLength = 250;
 /// cost ten times as much. `contact` makes one pass, however many are asked for.
 std::vector<SolveOptions> fast_options() {
   std::vector<SolveOptions> all;
-  for (Closing closing : {Closing::fade, Closing::hard})
-    for (int passes : {1, 3}) all.push_back({Rule::correspondence, closing, FieldReading::finger, passes});
+  for (CascadeClosing closing : {CascadeClosing::fade, CascadeClosing::hard})
+    for (int passes : {1, 3}) all.push_back({CascadeRule::correspondence, closing, FieldReading::finger, passes});
   return all;
 }
 std::vector<SolveOptions> slow_options() {
   std::vector<SolveOptions> all{kUhasSim};
-  for (Closing closing : {Closing::fade, Closing::hard}) {
-    for (int passes : {1, 3}) all.push_back({Rule::correspondence, closing, FieldReading::field, passes});
+  for (CascadeClosing closing : {CascadeClosing::fade, CascadeClosing::hard}) {
+    for (int passes : {1, 3}) all.push_back({CascadeRule::correspondence, closing, FieldReading::field, passes});
     for (FieldReading field : {FieldReading::finger, FieldReading::field})
-      all.push_back({Rule::contact, closing, field});
+      all.push_back({CascadeRule::contact, closing, field});
   }
   return all;
 }

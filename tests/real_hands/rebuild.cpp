@@ -32,7 +32,7 @@ TEST_CASE("a config of all that was inferred rebuilds the profile") {
 
   settings.config = parse_hand_config(to_canonical_json(complete_config(stages, settings)), "hand.json");
   HandProfile stated = build_profile(test::real_hand().urdf.string(), settings);
-  for (const Finding& finding : stated.findings) {
+  for (const HandFinding& finding : stated.findings) {
     CAPTURE(finding.item);
     CHECK(finding.confidence == 1);
     CHECK(finding.reason == "stated in the hand config");

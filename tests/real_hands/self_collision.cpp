@@ -46,7 +46,7 @@ std::vector<std::unique_ptr<PlacedMesh>> place_links(const std::vector<double>& 
 std::string meeting_links(const std::vector<double>& q) {
   const auto links = place_links(q);
   for (const LinkPair& pair : collision().pairs())
-    if (pair.use != PairUse::adjacent && pair.use != PairUse::touching &&
+    if (pair.use != LinkPairUse::adjacent && pair.use != LinkPairUse::touching &&
         meshes_cross(*links[pair.first], *links[pair.second]))
       return real_profile().links[pair.first].name + " and " + real_profile().links[pair.second].name;
   return {};
@@ -69,7 +69,7 @@ std::vector<double> random_pose(std::mt19937_64& random) {
 }  // namespace
 
 TEST_CASE("what is left out as touching is in contact nearly always") {
-  if (std::ranges::none_of(collision().pairs(), [](const LinkPair& pair) { return pair.use == PairUse::touching; }))
+  if (std::ranges::none_of(collision().pairs(), [](const LinkPair& pair) { return pair.use == LinkPairUse::touching; }))
     return;
   std::mt19937_64 random(5);
   std::vector<int> contacts(collision().pairs().size());
@@ -77,11 +77,11 @@ TEST_CASE("what is left out as touching is in contact nearly always") {
     const auto links = place_links(random_pose(random));
     for (std::size_t k = 0; k < contacts.size(); ++k) {
       const LinkPair& pair = collision().pairs()[k];
-      if (pair.use == PairUse::touching) contacts[k] += meshes_cross(*links[pair.first], *links[pair.second]);
+      if (pair.use == LinkPairUse::touching) contacts[k] += meshes_cross(*links[pair.first], *links[pair.second]);
     }
   }
   for (std::size_t k = 0; k < contacts.size(); ++k)
-    if (collision().pairs()[k].use == PairUse::touching) CHECK(contacts[k] >= 0.75 * kPosesTouching);
+    if (collision().pairs()[k].use == LinkPairUse::touching) CHECK(contacts[k] >= 0.75 * kPosesTouching);
 }
 
 TEST_CASE(
@@ -122,7 +122,7 @@ TEST_CASE(
     const auto links = place_links(q);
     double least = nearest.distance + 1e-3;
     for (const LinkPair& pair : collision().pairs())
-      if (pair.use == PairUse::checked) least = mesh_distance(*links[pair.first], *links[pair.second], least);
+      if (pair.use == LinkPairUse::checked) least = mesh_distance(*links[pair.first], *links[pair.second], least);
     CHECK(std::abs(nearest.distance - least) < kPrecision);
     CHECK(std::abs(mesh_distance(*links[nearest.first], *links[nearest.second], 1) - nearest.distance) < kPrecision);
   }

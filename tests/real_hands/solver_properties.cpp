@@ -29,8 +29,8 @@ std::vector<double> solve(CascadeSolver<double>& solver, const std::vector<doubl
 
 std::vector<SolveOptions> all_options() {
   std::vector<SolveOptions> all;
-  for (Rule rule : {Rule::correspondence, Rule::contact})
-    for (Closing closing : {Closing::fade, Closing::hard})
+  for (CascadeRule rule : {CascadeRule::correspondence, CascadeRule::contact})
+    for (CascadeClosing closing : {CascadeClosing::fade, CascadeClosing::hard})
       for (FieldReading field : {FieldReading::finger, FieldReading::field})
         for (int passes : {1, 3}) all.push_back({rule, closing, field, passes});
   return all;
@@ -73,7 +73,7 @@ TEST_CASE("every finite action gives finite joint values within limits") {
   const HandProfile& profile = real_profile();
   const char* count = std::getenv("UHAS_RANDOM_ACTIONS");
   const int actions = count ? std::atoi(count) : 100'000;
-  for (Rule rule : {Rule::correspondence, Rule::contact}) {
+  for (CascadeRule rule : {CascadeRule::correspondence, CascadeRule::contact}) {
     std::mt19937_64 random(7);
     std::vector<CascadeSolver<double>> solvers;
     for (const SolveOptions& options : all_options())

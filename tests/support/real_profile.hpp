@@ -7,7 +7,7 @@
 namespace uhas::test {
 
 inline const BuildStages& real_stages() {
-  static const BuildStages stages = run_stages(real_hand().urdf.string(), {}, Stage::correspondences);
+  static const BuildStages stages = run_stages(real_hand().urdf.string(), {}, BuildStage::correspondences);
   return stages;
 }
 

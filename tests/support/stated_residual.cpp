@@ -148,7 +148,7 @@ ResidualCheck::Plane ResidualCheck::mean(const std::vector<Plane>& planes, const
 }
 
 StatedResidual ResidualCheck::of(const Action<double>& action, std::span<const double> q, double epsilon) {
-  const bool held = options_.convention.held_toward_pole, hard = options_.closing == Closing::hard;
+  const bool held = options_.convention.held_toward_pole, hard = options_.closing == CascadeClosing::hard;
   const bool own = options_.field == FieldReading::finger;
   const double sign = profile_.mirrored ? -1 : 1;
 

@@ -22,7 +22,7 @@ void add_hand_options(CLI::App& app, HandInput& input) {
                "Five fingers: pinky and ring share the mean of their two slots");
 }
 
-void add_load_options(CLI::App& app, LoadOptions& load) {
+void add_load_options(CLI::App& app, ModelLoadOptions& load) {
   const auto assign = [&packages = load.packages](const std::vector<std::string>& pairs) {
     for (const std::string& pair : pairs) {
       const std::size_t equals = pair.find('=');
@@ -59,7 +59,7 @@ void add_surface_options(CLI::App& app, CorrespondenceOptions& options) {
       ->type_name("N");
 }
 
-BuildStages run_stages(const Tool& tool, HandInput& input, Stage last) {
+BuildStages run_stages(const Tool& tool, HandInput& input, BuildStage last) {
   input.settings.load.in_child = tool.child_limits();
   if (!input.config_file.empty()) input.settings.config = read_hand_config(input.config_file, input.max_config_bytes);
   BuildStages stages;

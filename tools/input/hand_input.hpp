@@ -20,7 +20,7 @@ struct HandInput {
 void add_hand_options(CLI::App& app, HandInput& input);
 
 /// --package NAME=DIR, repeatable, --allow-outside, and the bounds of LoadOptions.
-void add_load_options(CLI::App& app, LoadOptions& load);
+void add_load_options(CLI::App& app, ModelLoadOptions& load);
 
 /// --lateral-steps N.
 void add_lateral_options(CLI::App& app, LateralTableOptions& options);
@@ -29,6 +29,6 @@ void add_lateral_options(CLI::App& app, LateralTableOptions& options);
 void add_surface_options(CLI::App& app, CorrespondenceOptions& options);
 
 /// Reads the hand config and runs the stages up to `last`, with progress and warnings on stderr.
-BuildStages run_stages(const Tool& tool, HandInput& input, Stage last);
+BuildStages run_stages(const Tool& tool, HandInput& input, BuildStage last);
 
 }  // namespace uhas::tools

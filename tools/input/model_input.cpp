@@ -12,7 +12,7 @@
 namespace uhas::tools {
 namespace {
 
-std::string sha256_of_urdf(const std::string& path, const LoadOptions& load) {
+std::string sha256_of_urdf(const std::string& path, const ModelLoadOptions& load) {
   return sha256_hex(read_urdf_file(path, load));
 }
 
@@ -22,7 +22,7 @@ std::string stated_sha256(const HandProfile& profile) {
 }
 
 /// A file beside the profile or in the current folder that is its URDF; empty when there is none.
-std::string urdf_nearby(const ProfileFile& file, const LoadOptions& load) {
+std::string urdf_nearby(const ProfileFile& file, const ModelLoadOptions& load) {
   if (file.profile.sources.empty()) return {};
   const std::filesystem::path name = std::filesystem::path(file.profile.sources.front().name).filename();
   for (const std::filesystem::path& folder :
@@ -58,7 +58,7 @@ void add_model_options(CLI::App& app, ModelInput& input) {
 }
 
 HandModel load_model_of(const HandProfile& profile, const std::string& profile_path, const std::string& urdf,
-                        LoadOptions load) {
+                        ModelLoadOptions load) {
   load.geometry = settings_from_json(profile.settings_json, profile_path).load.geometry;
   return load_hand_model(urdf, load);
 }

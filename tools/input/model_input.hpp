@@ -21,7 +21,7 @@ struct ProfileFile {
 
 struct ModelInput {
   std::vector<std::string> urdfs;  ///< in any order
-  LoadOptions load;                ///< but for the geometry, which is the profile's
+  ModelLoadOptions load;           ///< but for the geometry, which is the profile's
 };
 
 /// A model and the URDF that it was read from.
@@ -35,7 +35,7 @@ void add_model_options(CLI::App& app, ModelInput& input);
 
 /// The URDF as the build of `profile` read it: with the same choice of geometry.
 HandModel load_model_of(const HandProfile& profile, const std::string& profile_path, const std::string& urdf,
-                        LoadOptions load);
+                        ModelLoadOptions load);
 
 /// The model of each profile: of --urdf the file with the profile's SHA-256, else a file of the same name with that
 /// SHA-256 beside the profile or in the current folder, else none. Throws Error: invalid_model for a URDF of --urdf

@@ -57,7 +57,7 @@ Json fit_json(const HandProfile& profile, const FitScore& score) {
       finger.update(fit(solve.fingers[f]));
       fingers.push_back(finger);
     }
-    solves.push_back({{"rule", solve.solve.rule == Rule::contact ? "contact" : "correspondence"},
+    solves.push_back({{"rule", solve.solve.rule == CascadeRule::contact ? "contact" : "correspondence"},
                       {"passes", solve.solve.passes},
                       {"pooled", fit(solve.pooled)},
                       {"fingers", fingers}});

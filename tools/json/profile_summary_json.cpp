@@ -73,7 +73,7 @@ Json profile_summary_json(const HandProfile& profile) {
   const RigidTransformd T_root_sphere = profile.T_root_palm * profile.T_palm_sphere;
 
   Json confidence = Json::object();
-  for (const Finding& finding : profile.findings) confidence[finding.item] = finding.confidence;
+  for (const HandFinding& finding : profile.findings) confidence[finding.item] = finding.confidence;
   Json fingers = Json::array();
   for (const ProfileFinger& finger : profile.fingers) fingers.push_back(finger_json(profile, finger, T_palm_joint));
 

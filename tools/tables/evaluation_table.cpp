@@ -50,7 +50,7 @@ double steepest(const std::vector<JointStep>& steps) {
   return most;
 }
 
-const SolveFit& fit_of(const EvaluatedHand& hand, Rule rule, int passes) {
+const SolveFit& fit_of(const EvaluatedHand& hand, CascadeRule rule, int passes) {
   return *std::ranges::find_if(hand.evaluation.fit.solves,
                                [&](const SolveFit& s) { return s.solve.rule == rule && s.solve.passes == passes; });
 }
@@ -66,15 +66,16 @@ std::vector<Score> all_scores() {
       {"fit, optimum, median", "radii", 3, [](const auto& h) { return h.evaluation.fit.optimum.median; }}};
   for (int passes : {1, 3, 10}) {
     const std::string name = "fit, " + std::to_string(passes) + (passes == 1 ? " pass / optimum" : " passes / optimum");
-    scores.push_back({name + ", median", "", 3,
-                      [=](const auto& h) { return fit_of(h, Rule::correspondence, passes).pooled.ratio.median; }});
+    scores.push_back({name + ", median", "", 3, [=](const auto& h) {
+                        return fit_of(h, CascadeRule::correspondence, passes).pooled.ratio.median;
+                      }});
     scores.push_back({name + ", p95", "", 3,
-                      [=](const auto& h) { return fit_of(h, Rule::correspondence, passes).pooled.ratio.p95; }});
+                      [=](const auto& h) { return fit_of(h, CascadeRule::correspondence, passes).pooled.ratio.p95; }});
   }
   scores.insert(
       scores.end(),
       {{"fit, contact / optimum, median", "", 3,
-        [](const auto& h) { return fit_of(h, Rule::contact, 1).pooled.ratio.median; }},
+        [](const auto& h) { return fit_of(h, CascadeRule::contact, 1).pooled.ratio.median; }},
        {"surface, off the sphere at rest, median", "radii", 3,
         [](const auto& h) { return h.evaluation.surface.at_rest.median; }},
        {"surface, off the deformed sphere, median", "radii", 3,
@@ -150,7 +151,8 @@ void print_fingers(std::ostream& out, const EvaluatedHand& hand) {
                {"p95", Align::right},
                {"points at phi, deg", Align::right},
                {"gap", Align::right}});
-  const SolveFit &one = fit_of(hand, Rule::correspondence, 1), &three = fit_of(hand, Rule::correspondence, 3);
+  const SolveFit &one = fit_of(hand, CascadeRule::correspondence, 1),
+                 &three = fit_of(hand, CascadeRule::correspondence, 3);
   for (std::size_t f = 0; f < hand.profile.fingers.size(); ++f) {
     const FingerSurface& surface = hand.evaluation.surface.fingers[f];
     table.add_row({hand.profile.fingers[f].name, fixed(one.fingers[f].ratio.median, 3),

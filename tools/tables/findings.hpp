@@ -9,6 +9,6 @@
 namespace uhas::tools {
 
 /// One line a finding: the hand config's key, the value in words, the confidence and the reason.
-void print_findings(std::ostream& out, std::span<const Finding> findings);
+void print_findings(std::ostream& out, std::span<const HandFinding> findings);
 
 }  // namespace uhas::tools

@@ -23,7 +23,7 @@ std::string role_of(const Anatomy& anatomy, int finger) {
 Json hand_explanation_json(const BuildStages& stages, const BuildSettings& settings) {
   const Json values = stated_items(stages, settings);
   Json items = Json::array();
-  for (const Finding& finding : stage_findings(stages))
+  for (const HandFinding& finding : stage_findings(stages))
     items.push_back({{"item", finding.item},
                      {"value", values.at(finding.item)},
                      {"summary", finding.value},

@@ -38,7 +38,7 @@ struct Anatomy {
   Vector3d palm_normal_root;   ///< the same in the root link's frame, of which palm_normal_palm is computed
   std::vector<double> q_open;  ///< one value a joint of `tree`: fingers extended, pads toward the palm normal
 
-  std::vector<Finding> findings;
+  std::vector<HandFinding> findings;
   std::vector<std::string> warnings;
 };
 

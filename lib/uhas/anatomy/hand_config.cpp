@@ -207,7 +207,7 @@ json to_json(const StatedFingertip& tip) {
 
 }  // namespace
 
-std::string doubt(const Finding& finding) {
+std::string doubt(const HandFinding& finding) {
   if (finding.confidence >= 0.5) return "";
   return "doubtful " + finding.item + ": " + finding.value + " (" + finding.reason + "); set \"" + finding.item +
          "\" in a hand config if it is wrong";

@@ -16,7 +16,7 @@ namespace uhas {
 inline constexpr const char* kStatedInConfig = "stated in the hand config";
 
 /// The warning about a finding with a confidence below 0.5, which names the key to set; "" for any other.
-std::string doubt(const Finding& finding);
+std::string doubt(const HandFinding& finding);
 
 /// The tip of the finger whose last joint carries `link`.
 struct StatedFingertip {

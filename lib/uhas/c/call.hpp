@@ -98,8 +98,8 @@ inline SolveOptions solve_options(const uhas_solve_options* given) {
   for (int choice : {options.rule, options.closing, options.field, options.convention})
     if (choice != 0 && choice != 1)
       refuse("a rule, closing, field or convention is " + std::to_string(choice), "choose 0 or 1");
-  return {.rule = static_cast<Rule>(options.rule),
-          .closing = static_cast<Closing>(options.closing),
+  return {.rule = static_cast<CascadeRule>(options.rule),
+          .closing = static_cast<CascadeClosing>(options.closing),
           .field = static_cast<FieldReading>(options.field),
           .passes = options.passes,
           .convention = (options.convention == UHAS_CONVENTION_SIM ? kUhasSim : kUhas).convention};

@@ -24,9 +24,9 @@ std::vector<Vector3d> pad_normals(const Anatomy& anatomy, const SphereFrame& fra
 
 }  // namespace
 
-Finding explain_closed_pose(const Anatomy& anatomy, const SphereFrame& frame,
-                            std::span<const JointClassification> classes, std::span<const double> q_closed,
-                            const HandConfig& config) {
+HandFinding explain_closed_pose(const Anatomy& anatomy, const SphereFrame& frame,
+                                std::span<const JointClassification> classes, std::span<const double> q_closed,
+                                const HandConfig& config) {
   constexpr double first_step = 0.05;  // of the way from open to closed
   const std::vector<Vector3d> pad_normal = pad_normals(anatomy, frame);
   std::size_t independent = 0;

@@ -79,7 +79,9 @@ struct SelfCollision::Hand {
     return surfaces[pair.first]->in_contact(*surfaces[pair.second], relative_pose(pair, T_palm_link));
   }
 
-  static bool matters(const LinkPair& pair) { return pair.use == PairUse::checked || pair.use == PairUse::apart; }
+  static bool matters(const LinkPair& pair) {
+    return pair.use == LinkPairUse::checked || pair.use == LinkPairUse::apart;
+  }
 
   /// Index of the first pair from `begin` on that matters and is in contact; that past the last when there is none.
   std::size_t next_contact(const Poses& T_palm_link, std::size_t begin = 0) const {
@@ -93,18 +95,18 @@ struct SelfCollision::Hand {
     for (int i = 0; i < sample.size(); ++i) {
       const Poses T_palm_link = place_links(sample.pose(i));
       for (std::size_t k = 0; k < pairs.size(); ++k) {
-        if (pairs[k].use == PairUse::adjacent) continue;
+        if (pairs[k].use == LinkPairUse::adjacent) continue;
         if (contacts[k] > 0 && asked[k] - contacts[k] > most_apart) continue;  // known to be checked
         ++asked[k];
         contacts[k] += in_contact(pairs[k], T_palm_link);
       }
     }
     for (std::size_t k = 0; k < pairs.size(); ++k) {
-      if (pairs[k].use == PairUse::adjacent) continue;
+      if (pairs[k].use == LinkPairUse::adjacent) continue;
       if (contacts[k] == 0)
-        pairs[k].use = PairUse::apart;
+        pairs[k].use = LinkPairUse::apart;
       else if (asked[k] - contacts[k] <= most_apart)
-        pairs[k].use = PairUse::touching;
+        pairs[k].use = LinkPairUse::touching;
     }
   }
 };
@@ -133,7 +135,7 @@ SelfCollision::SelfCollision(const HandProfile& profile, const HandGeometry& geo
     for (int second = first + 1; second < count; ++second)
       if (has_geometry[first] && has_geometry[second])
         hand->pairs.push_back(
-            {first, second, adjacency.adjacent(first, second) ? PairUse::adjacent : PairUse::checked});
+            {first, second, adjacency.adjacent(first, second) ? LinkPairUse::adjacent : LinkPairUse::checked});
   hand->find_uses(PoseSample(profile, options), options.touching_share);
   hand_ = std::move(hand);
 }
@@ -172,7 +174,7 @@ NearestLinks SelfCollision::nearest(std::span<const double> q) const {
   };
   std::vector<Candidate> candidates;
   for (const LinkPair& pair : hand_->pairs) {
-    if (pair.use != PairUse::checked) continue;
+    if (pair.use != LinkPairUse::checked) continue;
     const RigidTransformd T = Hand::relative_pose(pair, T_palm_link);
     candidates.push_back(
         {hand_->surfaces[pair.first]->least_possible_distance(*hand_->surfaces[pair.second], T), &pair, T});

@@ -17,7 +17,7 @@
 namespace uhas {
 
 /// What is asked of a pair of links.
-enum class PairUse : int {
+enum class LinkPairUse : int {
   checked = 0,   ///< contact, and distance
   apart = 1,     ///< contact only: it never touched in the sample, so its distance would hide those that matter
   touching = 2,  ///< nothing: it touched in at least `SelfCollisionOptions::touching_share` of the sample, as built
@@ -27,7 +27,7 @@ enum class PairUse : int {
 /// Two links with geometry.
 struct LinkPair {
   int first = -1, second = -1;  ///< indices into `HandProfile::links`, first < second
-  PairUse use = PairUse::checked;
+  LinkPairUse use = LinkPairUse::checked;
 
   friend bool operator==(const LinkPair&, const LinkPair&) = default;
 };

@@ -41,7 +41,7 @@ CollisionScore measure_collisions(const HandProfile& profile, const HandGeometry
 std::vector<SolveOptions> evaluated_solves() {
   std::vector<SolveOptions> solves;
   for (int passes : {1, 2, 3, 10}) solves.push_back({.passes = passes});
-  solves.push_back({.rule = Rule::contact});
+  solves.push_back({.rule = CascadeRule::contact});
   return solves;
 }
 
@@ -56,7 +56,7 @@ Evaluation evaluate_hand(const HandProfile& profile, const HandGeometry* geometr
   evaluation.fit = measure_fit(profile, battery, evaluated_solves(), options.threads);
   evaluation.surface = measure_surface(profile, battery, options.threads);
   for (const SolveOptions& solve : evaluated_solves()) {
-    if (solve.rule != Rule::correspondence) continue;
+    if (solve.rule != CascadeRule::correspondence) continue;
     evaluation.smoothness.push_back(measure_smoothness(
         profile,
         {.lines = options.smoothness_lines, .seed = options.battery.seed, .threads = options.threads, .solve = solve}));

@@ -60,7 +60,7 @@ double skeleton_extent(const Urdf& urdf, const std::vector<OrderedLink>& order) 
 // The surfaces of links: mesh files are read first, all together, then placed with the other shapes.
 class GeometryLoader {
  public:
-  GeometryLoader(std::string urdf_file, const LoadOptions& options, SourceLog& sources)
+  GeometryLoader(std::string urdf_file, const ModelLoadOptions& options, SourceLog& sources)
       : urdf_file_(std::move(urdf_file)), options_(options), folders_(urdf_file_, options), sources_(sources) {}
 
   /// @param skeleton  extent of the hand's skeleton (m), which tells meshes in other units
@@ -154,7 +154,7 @@ class GeometryLoader {
   }
 
   std::string urdf_file_;
-  const LoadOptions& options_;
+  const ModelLoadOptions& options_;
   MeshFolders folders_;
   SourceLog& sources_;
   std::map<const UrdfShape*, std::size_t> mesh_of_shape_;  // into `meshes_`
@@ -200,12 +200,12 @@ void build_tree(const Urdf& urdf, const std::vector<OrderedLink>& order, const s
 
 }  // namespace
 
-std::vector<std::byte> read_urdf_file(const std::string& urdf_path, const LoadOptions& options) {
+std::vector<std::byte> read_urdf_file(const std::string& urdf_path, const ModelLoadOptions& options) {
   return read_file(urdf_path, options.max_urdf_bytes,
                    "cut the hand out of its robot or raise the bound by --max-urdf-bytes");
 }
 
-HandModel load_hand_model(const std::string& urdf_path, const LoadOptions& options) {
+HandModel load_hand_model(const std::string& urdf_path, const ModelLoadOptions& options) {
   if (urdf_path.ends_with(".xacro"))
     throw Error(ErrorCode::syntax, urdf_path, "this is a xacro file, not a URDF",
                 "expand it first: xacro " + urdf_path + " > hand.urdf");

@@ -47,7 +47,7 @@ struct PackageFolder {
   std::string name, folder;
 };
 
-struct LoadOptions {
+struct ModelLoadOptions {
   /// A link that lacks the wanted kind falls back to the other; `both` merges them.
   GeometrySource geometry = GeometrySource::visual;
   std::vector<PackageFolder> packages;  ///< searched before the folders of ROS_PACKAGE_PATH and those above the URDF
@@ -72,9 +72,9 @@ struct LoadOptions {
 /// Reads a URDF and every mesh it names: STL, OBJ, DAE, PLY, GLB and glTF, and the primitives box, cylinder, sphere and
 /// capsule. Prints nothing; what a user should know is in `HandModel::warnings`.
 /// Throws Error: file_unreadable, syntax, invalid_model, invalid_mesh, limit_exceeded.
-HandModel load_hand_model(const std::string& urdf_path, const LoadOptions& options = {});
+HandModel load_hand_model(const std::string& urdf_path, const ModelLoadOptions& options = {});
 
 /// The bytes of the URDF alone, within its bound. Throws Error: file_unreadable, limit_exceeded.
-std::vector<std::byte> read_urdf_file(const std::string& urdf_path, const LoadOptions& options);
+std::vector<std::byte> read_urdf_file(const std::string& urdf_path, const ModelLoadOptions& options);
 
 }  // namespace uhas

@@ -309,7 +309,7 @@ class ProfileValidator {
 
   void validate_provenance() const {
     for (std::ptrdiff_t i = 0; i < std::ssize(profile_.findings); ++i) {
-      const Finding& finding = profile_.findings[i];
+      const HandFinding& finding = profile_.findings[i];
       require_name(finding.item, {"findings/item", i});
       require_text(finding.value, {"findings/value", i});
       require_text(finding.reason, {"findings/reason", i});

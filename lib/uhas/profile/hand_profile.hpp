@@ -96,13 +96,13 @@ struct Correspondence {
 };
 
 /// Something the preprocessing inferred.
-struct Finding {
+struct HandFinding {
   std::string item;       ///< for example "palm_link"; also the hand config's key that overrides it
   std::string value;      ///< in words
   std::string reason;     ///< why, in words
   double confidence = 1;  ///< 0..1; 1 when a config said so
 
-  friend bool operator==(const Finding&, const Finding&) = default;
+  friend bool operator==(const HandFinding&, const HandFinding&) = default;
 };
 
 /// SHA-256 of a file the profile was built from.
@@ -135,7 +135,7 @@ struct HandProfile {
   std::vector<LateralTable> lateral_tables;
   std::vector<Correspondence> correspondences;  ///< sorted by link; the solver's points are those with weight > 0
 
-  std::vector<Finding> findings;
+  std::vector<HandFinding> findings;
   std::vector<std::string> warnings;
   std::string settings_json;  ///< canonical JSON of the build settings; the same settings and model rebuild the profile
   std::vector<SourceFile> sources;

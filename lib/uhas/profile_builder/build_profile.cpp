@@ -47,8 +47,8 @@ ProfileFinger profile_finger(const BuildStages& stages, int index) {
 
 }  // namespace
 
-BuildStages run_stages(const std::string& urdf_path, const BuildSettings& settings, Stage last,
-                       const StageListener& listener) {
+BuildStages run_stages(const std::string& urdf_path, const BuildSettings& settings, BuildStage last,
+                       const BuildListener& listener) {
   if (listener) listener("reading the URDF and its meshes");
   HandModel model = load_hand_model(urdf_path, settings.load);
   try {
@@ -59,32 +59,32 @@ BuildStages run_stages(const std::string& urdf_path, const BuildSettings& settin
   }
 }
 
-BuildStages run_stages(HandModel model, const BuildSettings& settings, Stage last, const StageListener& listener) {
+BuildStages run_stages(HandModel model, const BuildSettings& settings, BuildStage last, const BuildListener& listener) {
   BuildStages stages;
   stages.model = std::move(model);
-  const auto begin = [&](Stage stage, const char* name) {
+  const auto begin = [&](BuildStage stage, const char* name) {
     if (stage > last) return false;
     if (listener) listener(name);
     return true;
   };
 
-  if (!begin(Stage::anatomy, "finding palm and fingers")) return stages;
+  if (!begin(BuildStage::anatomy, "finding palm and fingers")) return stages;
   stages.anatomy = infer_anatomy(stages.model, settings.config);
 
-  if (!begin(Stage::sphere_frame, "placing the sphere")) return stages;
+  if (!begin(BuildStage::sphere_frame, "placing the sphere")) return stages;
   stages.sphere_frame = compute_sphere_frame(stages.anatomy, settings.sphere_frame);
 
-  if (!begin(Stage::classification, "classifying joints")) return stages;
+  if (!begin(BuildStage::classification, "classifying joints")) return stages;
   stages.q_closed = find_closed_pose(stages.anatomy, stages.sphere_frame, settings.config);
   stages.joint_classes = classify_joints(stages.anatomy, stages.sphere_frame, stages.q_closed);
   stages.closed_pose =
       explain_closed_pose(stages.anatomy, stages.sphere_frame, stages.joint_classes, stages.q_closed, settings.config);
 
-  if (!begin(Stage::lateral_tables, "wrapping the hand and sweeping lateral joints")) return stages;
+  if (!begin(BuildStage::lateral_tables, "wrapping the hand and sweeping lateral joints")) return stages;
   stages.lateral_tables = build_lateral_tables(stages.anatomy, stages.sphere_frame, stages.joint_classes,
                                                stages.q_closed, settings.lateral_tables);
 
-  if (!begin(Stage::correspondences, "casting rays on the hand's surface")) return stages;
+  if (!begin(BuildStage::correspondences, "casting rays on the hand's surface")) return stages;
   stages.correspondences = project_sphere_samples(stages.model, stages.anatomy, stages.sphere_frame,
                                                   stages.lateral_tables.q_sphere, settings.correspondences);
   return stages;
@@ -101,8 +101,8 @@ std::vector<std::string> stage_warnings(const BuildStages& stages) {
   return all;
 }
 
-std::vector<Finding> stage_findings(const BuildStages& stages) {
-  std::vector<Finding> findings = stages.anatomy.findings;
+std::vector<HandFinding> stage_findings(const BuildStages& stages) {
+  std::vector<HandFinding> findings = stages.anatomy.findings;
   findings.push_back(stages.closed_pose);
   return findings;
 }
@@ -154,8 +154,8 @@ HandProfile make_profile(const BuildStages& stages, const BuildSettings& setting
   return profile;
 }
 
-HandProfile build_profile(const std::string& urdf_path, const BuildSettings& settings, const StageListener& listener) {
-  return make_profile(run_stages(urdf_path, settings, Stage::correspondences, listener), settings);
+HandProfile build_profile(const std::string& urdf_path, const BuildSettings& settings, const BuildListener& listener) {
+  return make_profile(run_stages(urdf_path, settings, BuildStage::correspondences, listener), settings);
 }
 
 }  // namespace uhas

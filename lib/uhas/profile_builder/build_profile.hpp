@@ -12,7 +12,7 @@
 namespace uhas {
 
 struct BuildSettings {
-  LoadOptions load;
+  ModelLoadOptions load;
   HandConfig config;
   SphereFrameOptions sphere_frame;
   LateralTableOptions lateral_tables;
@@ -26,28 +26,29 @@ struct BuildStages {
   SphereFrame sphere_frame;
   std::vector<double> q_closed;
   std::vector<JointClassification> joint_classes;
-  Finding closed_pose;  ///< how far `q_closed` can be trusted
+  HandFinding closed_pose;  ///< how far `q_closed` can be trusted
   LateralTables lateral_tables;
   Correspondences correspondences;
 };
 
-enum class Stage : int { model, anatomy, sphere_frame, classification, lateral_tables, correspondences };
+enum class BuildStage : int { model, anatomy, sphere_frame, classification, lateral_tables, correspondences };
 
 /// Called when a stage begins, with its name in plain words ("reading meshes").
-using StageListener = std::function<void(const char* stage)>;
+using BuildListener = std::function<void(const char* stage)>;
 
 /// Runs every stage up to and including `last`.
-BuildStages run_stages(const std::string& urdf_path, const BuildSettings& settings, Stage last,
-                       const StageListener& listener = {});
+BuildStages run_stages(const std::string& urdf_path, const BuildSettings& settings, BuildStage last,
+                       const BuildListener& listener = {});
 
 /// The same on a model that has been read already.
-BuildStages run_stages(HandModel model, const BuildSettings& settings, Stage last, const StageListener& listener = {});
+BuildStages run_stages(HandModel model, const BuildSettings& settings, BuildStage last,
+                       const BuildListener& listener = {});
 
 /// The warnings of every stage that has run, in the order of the stages.
 std::vector<std::string> stage_warnings(const BuildStages& stages);
 
-/// What was inferred or stated, an element an item of the hand config. Needs the stages up to Stage::classification.
-std::vector<Finding> stage_findings(const BuildStages& stages);
+/// What was inferred or stated, an element an item of the hand config. Needs the stages up to BuildStage::classification.
+std::vector<HandFinding> stage_findings(const BuildStages& stages);
 
 /// Indices into `Anatomy::fingers`, ordered by the first slot a finger owns: the order of `HandProfile::fingers`.
 std::vector<int> fingers_by_slot(const SphereFrame& frame);
@@ -57,6 +58,6 @@ HandProfile make_profile(const BuildStages& stages, const BuildSettings& setting
 
 /// `run_stages` to the end, then `make_profile`.
 HandProfile build_profile(const std::string& urdf_path, const BuildSettings& settings = {},
-                          const StageListener& listener = {});
+                          const BuildListener& listener = {});
 
 }  // namespace uhas

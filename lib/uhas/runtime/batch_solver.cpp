@@ -29,7 +29,7 @@ template <class Real>
 class BatchSolver<Real>::Crew {
  public:
   Crew(std::span<const HandProfile> hands, const SolveOptions& options, const BatchOptions& batch)
-      : lanes_(lanes_of<Real>(options.rule == Rule::correspondence && options.field == FieldReading::finger
+      : lanes_(lanes_of<Real>(options.rule == CascadeRule::correspondence && options.field == FieldReading::finger
                                   ? batch.instruction_set
                                   : InstructionSet::scalar)),
         pool_(batch.threads) {

@@ -21,13 +21,13 @@ template <class Real>
 struct SolverModel;  // private
 
 /// How a joint angle follows from the deformed sphere.
-enum class Rule : int {
+enum class CascadeRule : int {
   correspondence = 0,  ///< least squares over the surface points the joint carries
   contact = 1,         ///< turn from open to the first contact of the next joint with the deformed profile
 };
 
 /// What a joint does as its points' spheres shrink past the centre.
-enum class Closing : int {
+enum class CascadeClosing : int {
   fade = 0,  ///< blends toward the closed end as the sphere radius falls from 0.5 to 0
   hard = 1,  ///< drops points of negative sphere radius; a joint with none left closes (the paper's)
 };
@@ -39,8 +39,8 @@ enum class FieldReading : int {
 };
 
 struct SolveOptions {
-  Rule rule = Rule::correspondence;
-  Closing closing = Closing::fade;
+  CascadeRule rule = CascadeRule::correspondence;
+  CascadeClosing closing = CascadeClosing::fade;
   FieldReading field = FieldReading::finger;
   int passes = 1;                 ///< 1..100: sweeps over each finger; more come nearer to the least-squares optimum
   ActionConvention convention{};  ///< what the numbers of an action mean
@@ -51,8 +51,8 @@ struct SolveOptions {
 /// not yet compared with output of that code. Its sphere is smaller: build the profile with radius scale 0.8.
 inline constexpr SolveOptions kUhas{};
 inline constexpr SolveOptions kUhasSim{
-    .rule = Rule::contact,
-    .closing = Closing::hard,
+    .rule = CascadeRule::contact,
+    .closing = CascadeClosing::hard,
     .convention = {.absolute_radii = true, .held_toward_pole = true, .azimuth_sign = -1}};
 
 /// What a solve found out besides the joint angles. The spans are caller-owned, one element a joint, or empty.

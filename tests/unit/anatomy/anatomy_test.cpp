@@ -30,8 +30,8 @@ double open_value(const Anatomy& anatomy, const std::string& joint) {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-const Finding& finding(const Anatomy& anatomy, const std::string& item) {
-  for (const Finding& f : anatomy.findings)
+const HandFinding& finding(const Anatomy& anatomy, const std::string& item) {
+  for (const HandFinding& f : anatomy.findings)
     if (f.item == item) return f;
   throw std::runtime_error("no finding " + item);
 }

@@ -36,8 +36,8 @@ std::string refusal(const std::string& json) {
   return "";
 }
 
-const Finding& finding(const Anatomy& anatomy, const std::string& item) {
-  for (const Finding& f : anatomy.findings)
+const HandFinding& finding(const Anatomy& anatomy, const std::string& item) {
+  for (const HandFinding& f : anatomy.findings)
     if (f.item == item) return f;
   throw std::runtime_error("no finding " + item);
 }
@@ -47,7 +47,7 @@ void check_only_stated(const Anatomy& anatomy, const std::string& item) {
   CHECK(finding(anatomy, item).confidence == 1);
   CHECK(finding(anatomy, item).reason == "stated in the hand config");
   const Anatomy inferred = infer("{}");
-  for (const Finding& f : inferred.findings)
+  for (const HandFinding& f : inferred.findings)
     if (f.item != item) CHECK(finding(anatomy, f.item) == f);
 }
 

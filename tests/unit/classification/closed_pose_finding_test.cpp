@@ -18,7 +18,7 @@ SphereHand make_hand() {
   return hand;
 }
 
-Finding explain(const SphereHand& hand, const std::vector<double>& q_closed, const HandConfig& config = {}) {
+HandFinding explain(const SphereHand& hand, const std::vector<double>& q_closed, const HandConfig& config = {}) {
   const std::vector<JointClassification> classes = classify_joints(hand.anatomy, hand.frame, q_closed);
   return explain_closed_pose(hand.anatomy, hand.frame, classes, q_closed, config);
 }
@@ -27,7 +27,7 @@ Finding explain(const SphereHand& hand, const std::vector<double>& q_closed, con
 
 TEST_CASE("joints that begin to close toward where the pad faces are sure") {
   const SphereHand hand = make_hand();
-  const Finding finding = explain(hand, find_closed_pose(hand.anatomy, hand.frame));
+  const HandFinding finding = explain(hand, find_closed_pose(hand.anatomy, hand.frame));
   CHECK(finding.item == "q_closed");
   CHECK(finding.confidence == 1);
   CHECK(doubt(finding).empty());
@@ -36,7 +36,7 @@ TEST_CASE("joints that begin to close toward where the pad faces are sure") {
 TEST_CASE("the confidence is the part of the joints that do") {
   const SphereHand hand = make_hand();
   CHECK(explain(hand, {1.8, 1.8, -0.5}).confidence == doctest::Approx(2.0 / 3));
-  const Finding finding = explain(hand, {1.8, -0.5, -0.5});
+  const HandFinding finding = explain(hand, {1.8, -0.5, -0.5});
   CHECK(finding.confidence == doctest::Approx(1.0 / 3));
   CHECK(doubt(finding).find("\"q_closed\"") != std::string::npos);
 }
@@ -58,7 +58,7 @@ TEST_CASE("a config that states every joint is believed, one that states some is
   for (int joint : {0, 1}) state(joint, -0.5);
   CHECK(explain(hand, {-0.5, -0.5, 1.8}, config).confidence < 0.5);
   state(2, 1.8);
-  const Finding finding = explain(hand, {-0.5, -0.5, 1.8}, config);
+  const HandFinding finding = explain(hand, {-0.5, -0.5, 1.8}, config);
   CHECK(finding.confidence == 1);
   CHECK(finding.reason == kStatedInConfig);
 }

@@ -33,9 +33,10 @@ TEST_CASE("the way leads from the undeformed hand to the action, in every conven
   std::mt19937_64 random(1);
   for (const SolveOptions& options : {kUhas, kUhasSim}) {
     ActionWay way(profile, options.convention);
-    const std::vector<double> at_rest = options.rule == Rule::contact ? solve(profile, {.rule = Rule::contact},
-                                                                              {.values = std::vector<double>(15, 0.0)})
-                                                                      : undeformed;
+    const std::vector<double> at_rest =
+        options.rule == CascadeRule::contact
+            ? solve(profile, {.rule = CascadeRule::contact}, {.values = std::vector<double>(15, 0.0)})
+            : undeformed;
     for (const bool normalized : {false, true}) {
       for (const double size : {0.5, 5.0}) {  // within and beyond the bounds
         CAPTURE(options.convention.absolute_radii);

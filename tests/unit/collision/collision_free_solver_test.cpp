@@ -22,7 +22,7 @@ namespace {
 
 struct Hand {
   explicit Hand(const HandModel& model)
-      : stages(run_stages(model, {}, Stage::correspondences)),
+      : stages(run_stages(model, {}, BuildStage::correspondences)),
         profile(make_profile(stages, {})),
         geometry(hand_geometry(profile, stages.model, "")),
         collision(profile, geometry) {}
@@ -49,7 +49,7 @@ bool collides(const Hand& hand, const std::vector<double>& q) {
   const std::vector<RigidTransformd> T_palm_link = link_poses(hand.profile.tree, hand.profile.links, q);
   const auto placed = [&](int link) { return PlacedMesh(hand.geometry.links[link], T_palm_link[link]); };
   for (const LinkPair& pair : hand.collision.pairs()) {
-    if (pair.use == PairUse::adjacent || pair.use == PairUse::touching) continue;
+    if (pair.use == LinkPairUse::adjacent || pair.use == LinkPairUse::touching) continue;
     const PlacedMesh a = placed(pair.first), b = placed(pair.second);
     if (meshes_cross(a, b) || is_inside(a.triangles[0].corners[0], b) || is_inside(b.triangles[0].corners[0], a))
       return true;

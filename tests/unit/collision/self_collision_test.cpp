@@ -14,7 +14,7 @@ namespace {
 
 const TriangleMesh kCube = make_box({}, {0.02, 0.02, 0.02});
 
-PairUse use_of(const SelfCollision& collision, int first, int second) {
+LinkPairUse use_of(const SelfCollision& collision, int first, int second) {
   for (const LinkPair& pair : collision.pairs())
     if (pair.first == first && pair.second == second) return pair.use;
   FAIL("no such pair");
@@ -34,15 +34,15 @@ TEST_CASE("links that hold together are left out, also across joints without geo
   hand.add(kCube, 0);                                           // 6
   const SelfCollision collision(hand.profile, hand.geometry);
 
-  CHECK(use_of(collision, 0, 1) == PairUse::adjacent);
-  CHECK(use_of(collision, 0, 6) == PairUse::adjacent);
-  CHECK(use_of(collision, 1, 2) == PairUse::adjacent);
-  CHECK(use_of(collision, 1, 4) == PairUse::adjacent);
-  CHECK(use_of(collision, 4, 5) == PairUse::adjacent);
-  CHECK(use_of(collision, 1, 5) == PairUse::checked);
-  CHECK(use_of(collision, 1, 6) == PairUse::checked);
-  CHECK(use_of(collision, 5, 6) == PairUse::checked);
-  CHECK(use_of(collision, 0, 5) == PairUse::apart);
+  CHECK(use_of(collision, 0, 1) == LinkPairUse::adjacent);
+  CHECK(use_of(collision, 0, 6) == LinkPairUse::adjacent);
+  CHECK(use_of(collision, 1, 2) == LinkPairUse::adjacent);
+  CHECK(use_of(collision, 1, 4) == LinkPairUse::adjacent);
+  CHECK(use_of(collision, 4, 5) == LinkPairUse::adjacent);
+  CHECK(use_of(collision, 1, 5) == LinkPairUse::checked);
+  CHECK(use_of(collision, 1, 6) == LinkPairUse::checked);
+  CHECK(use_of(collision, 5, 6) == LinkPairUse::checked);
+  CHECK(use_of(collision, 0, 5) == LinkPairUse::apart);
   CHECK(collision.pairs().size() == 6 * 5 / 2);
 }
 
@@ -53,9 +53,9 @@ TEST_CASE("what touches in nearly all poses is left out, what touches in none ha
   hand.add(make_box({0, 0.03, 0}, {0.02, 0.02, 0.02}), 0, -1, -0.005, 0.005);  // 2: 10 mm beside both
   hand.add(make_box({0.07, 0, 0}, {0.02, 0.02, 0.02}), 0, -1, -0.06, 0);       // 3
   const SelfCollision collision(hand.profile, hand.geometry);
-  CHECK(use_of(collision, 0, 1) == PairUse::touching);
-  CHECK(use_of(collision, 0, 2) == PairUse::apart);
-  CHECK(use_of(collision, 0, 3) == PairUse::checked);
+  CHECK(use_of(collision, 0, 1) == LinkPairUse::touching);
+  CHECK(use_of(collision, 0, 2) == LinkPairUse::apart);
+  CHECK(use_of(collision, 0, 3) == LinkPairUse::checked);
 
   const std::vector<double> q{0, 0, 0, -0.01};
   CHECK_FALSE(collision.collides(q));
@@ -71,7 +71,7 @@ TEST_CASE("a contact that the sample has missed is seen") {
   hand.add(kCube, 0);
   hand.add(kCube, 0.4);
   const SelfCollision collision(hand.profile, hand.geometry, {.samples = 0});
-  REQUIRE(use_of(collision, 0, 1) == PairUse::apart);
+  REQUIRE(use_of(collision, 0, 1) == LinkPairUse::apart);
   CHECK(collision.nearest(std::vector<double>{0, 0.4}).first == -1);
   CHECK(std::isinf(collision.nearest(std::vector<double>{0, 0.4}).distance));
 
@@ -103,7 +103,7 @@ TEST_CASE("mimic followers keep to their masters in the sample") {
   hand.add(kCube, 0.03, -1, -0.5, 0.5);
   hand.profile.tree.joints[1].mimic_master = 0;  // always 30 mm ahead
   hand.profile.tree.joints[1].mimic_offset = 0.03;
-  CHECK(use_of(SelfCollision(hand.profile, hand.geometry), 0, 1) == PairUse::apart);
+  CHECK(use_of(SelfCollision(hand.profile, hand.geometry), 0, 1) == LinkPairUse::apart);
 }
 
 TEST_CASE("too many triangles are simplified, and no link is lost") {

@@ -58,7 +58,7 @@ TEST_CASE("the contact rule stops where the fingertip meets the sphere, off the 
   const HandProfile profile = test::slider_profile({kPi / 3, 2 * kPi / 3});
   const std::vector<std::vector<double>> battery =
       random_battery(profile, {.actions = 100, .radial_bound = 0.4, .seed = 6});
-  const std::vector<SolveOptions> solves{{.rule = Rule::contact}};
+  const std::vector<SolveOptions> solves{{.rule = CascadeRule::contact}};
   const FitScore score = measure_fit(profile, battery, solves, 1);
   std::vector<double> ratios;
   for (const std::vector<double>& action : battery)

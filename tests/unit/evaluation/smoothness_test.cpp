@@ -23,7 +23,7 @@ TEST_CASE("hard closing is found to jump, and how far") {
     profile.tree.joints[f].lower = profile.joint_traits[f].q_closed = -2;
     profile.tree.joints[f].upper = profile.joint_traits[f].q_open = 2;
   }
-  const SmoothnessScore score = measure_smoothness(profile, {.lines = 0, .solve = {.closing = Closing::hard}});
+  const SmoothnessScore score = measure_smoothness(profile, {.lines = 0, .solve = {.closing = CascadeClosing::hard}});
   REQUIRE(score.radial.size() == 2);
   for (int f = 0; f < 2; ++f) {
     // as the sphere vanishes the point has gone to its centre, 1 inward, and the joint closes, 2 inward

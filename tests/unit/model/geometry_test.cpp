@@ -161,7 +161,7 @@ TEST_CASE("a shape of size zero is no geometry, a negative size is an error") {
 TEST_CASE("visual falls back to collision, collision to visual; both merges them") {
   const std::string v = visual(small_box), c = collision(R"(<sphere radius="0.1"/>)");
   const auto triangles = [](const std::string& palm, GeometrySource geometry) {
-    LoadOptions options;
+    ModelLoadOptions options;
     options.geometry = geometry;
     return load(one_finger(palm), options).links[0].mesh.triangles.size();
   };
@@ -233,7 +233,7 @@ TEST_CASE("bounds on the bytes of a mesh and on the triangles of a hand") {
   const ScratchFolder folder;
   folder.write("a.stl", ascii_stl());
   const std::string urdf = folder.write("hand.urdf", one_finger(visual(mesh("a.stl")) + visual(mesh("a.stl"))));
-  LoadOptions options;
+  ModelLoadOptions options;
   options.max_triangles = 8;
   CHECK(load_hand_model(urdf, options).links[0].mesh.triangles.size() == 8);
   options.max_triangles = 7;
@@ -259,7 +259,7 @@ TEST_CASE("few triangles and very many vertices") {
     const ScratchFolder folder;
     folder.write(name, file.second);
     const std::string urdf = folder.write("hand.urdf", one_finger(visual(mesh(name))));
-    LoadOptions options;
+    ModelLoadOptions options;
     options.max_triangles = 4;
     check_error([&] { load_hand_model(urdf, options); }, ErrorCode::limit_exceeded, {name, "--max-triangles"});
   }
@@ -272,7 +272,7 @@ TEST_CASE("vertices that no triangle uses count toward the bound of a hand") {
   const ScratchFolder folder;
   folder.write("a.ply", header + "0 0  1 0  0 1  0 0  0 0  0 0  0 0  0 0  0 0  0 0  3 0 1 2\n");
   const std::string twice = folder.write("hand.urdf", one_finger(visual(mesh("a.ply")) + visual(mesh("a.ply"))));
-  LoadOptions options;
+  ModelLoadOptions options;
   options.max_triangles = 7;
   CHECK(load_hand_model(twice, options).links[0].mesh.vertices.size() == 6);
   options.max_triangles = 6;
@@ -342,7 +342,7 @@ TEST_CASE("nodes of a DAE that stand for others, and without end in a child proc
     const std::string next = i < 59 ? "n" + std::to_string(i + 1) : "last";
     doubling += node("n" + std::to_string(i), stand_for(next) + stand_for(next));
   }
-  LoadOptions options;
+  ModelLoadOptions options;
   options.in_child = {.max_memory_bytes = 256u << 20, .max_seconds = 5};
   for (const std::string& nodes :
        {doubling + last, node("first", stand_for("second")) + node("second", stand_for("first"))}) {
@@ -384,7 +384,7 @@ TEST_CASE("a mesh that brings assimp down is an error where a child process read
   folder.write("a.dae", text);
   folder.write("good.stl", binary_stl());
   const std::string urdf = folder.write("hand.urdf", one_finger(visual(mesh("good.stl")) + visual(mesh("a.dae"))));
-  LoadOptions options;
+  ModelLoadOptions options;
   options.in_child.emplace();
   check_error([&] { load_hand_model(urdf, options); }, ErrorCode::invalid_mesh, {"a.dae: ", "was brought down"});
 }

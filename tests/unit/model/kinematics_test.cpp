@@ -139,7 +139,7 @@ TEST_CASE("a mimic without multiplier and offset follows one to one") {
 }
 
 TEST_CASE("without load_meshes no mesh file is needed") {
-  LoadOptions options;
+  ModelLoadOptions options;
   options.load_meshes = false;
   const HandModel model = load(one_finger(visual(mesh("missing.stl"))), options);
   CHECK(model.links[0].mesh.triangles.empty());

@@ -9,8 +9,8 @@ using namespace uhas::test;
 
 namespace {
 
-HandModel load_with_mesh(const ScratchFolder& folder, const std::string& reference, const LoadOptions& options = {},
-                         const std::string& urdf = "hand.urdf") {
+HandModel load_with_mesh(const ScratchFolder& folder, const std::string& reference,
+                         const ModelLoadOptions& options = {}, const std::string& urdf = "hand.urdf") {
   return load_hand_model(folder.write(urdf, one_finger(visual(mesh(reference)))), options);
 }
 
@@ -78,7 +78,7 @@ TEST_CASE("a package is found by the option, by ROS_PACKAGE_PATH and above the U
     check_error([&] { load_with_mesh(folder, reference); }, ErrorCode::invalid_mesh, {holds});
   }
 
-  LoadOptions options;
+  ModelLoadOptions options;
   options.packages = {{"other", holds}, {"my_hand", (folder.path() / "my_hand").string()}};
   CHECK(load_with_mesh(folder, reference, options).links[0].mesh.triangles.size() == 4);
   unsetenv("ROS_PACKAGE_PATH");
@@ -127,7 +127,7 @@ TEST_CASE("a mesh outside the folder of the model is refused, unless its package
   folder.write("model/robots/package.xml", "<package/>");
   refused("../../a.stl", "model/robots/v1/hand.urdf");
 
-  LoadOptions options;
+  ModelLoadOptions options;
   options.packages = {{"anything", (elsewhere.path() / "meshes").string()}};
   CHECK(load_with_mesh(folder, outside, options).links[0].mesh.triangles.size() == 4);
   CHECK(load_with_mesh(folder, "linked/meshes/a.stl", options, "model/hand.urdf").links[0].mesh.triangles.size() == 4);
@@ -152,7 +152,7 @@ TEST_CASE("the buffer of a glTF file may not lie outside either") {
   folder.write("buffer.bin", gltf_buffer());
   check_error([&] { load_with_mesh(folder, "../meshes/a.gltf", {}, "model/urdf/hand.urdf"); }, ErrorCode::invalid_mesh,
               {"a.gltf"});
-  LoadOptions anywhere;
+  ModelLoadOptions anywhere;
   anywhere.allow_outside = true;
   CHECK(load_with_mesh(folder, "../meshes/a.gltf", anywhere, "model/urdf/hand.urdf").links[0].mesh.triangles.size() ==
         4);
@@ -164,7 +164,7 @@ TEST_CASE("meshes read in a child process are the same meshes and sources") {
   folder.write("b.gltf", gltf(R"("uri":"b.bin")"));
   folder.write("b.bin", gltf_buffer());
   const std::string urdf = folder.write("hand.urdf", one_finger(visual(mesh("a.stl")) + visual(mesh("b.gltf"))));
-  LoadOptions in_child;
+  ModelLoadOptions in_child;
   in_child.in_child.emplace();
   const HandModel plain = load_hand_model(urdf), fenced = load_hand_model(urdf, in_child);
   CHECK(plain.sources.size() == 4);

@@ -50,7 +50,7 @@ inline std::string mesh(const std::string& file, const std::string& attributes =
   return "<mesh filename=\"" + file + "\" " + attributes + "/>";
 }
 
-inline HandModel load(const std::string& urdf, const LoadOptions& options = {}) {
+inline HandModel load(const std::string& urdf, const ModelLoadOptions& options = {}) {
   const ScratchFolder folder;
   return load_hand_model(folder.write("hand.urdf", urdf), options);
 }

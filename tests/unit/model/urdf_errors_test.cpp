@@ -71,7 +71,7 @@ TEST_CASE("a tag with a hundred thousand attributes") {
 }
 
 TEST_CASE("a file above the bound on its size") {
-  LoadOptions options;
+  ModelLoadOptions options;
   options.max_urdf_bytes = 10;
   check_error([&] { load(one_finger(), options); }, ErrorCode::limit_exceeded,
               {"more than the bound of 10", "--max-urdf-bytes"});
@@ -81,7 +81,7 @@ TEST_CASE("more links than any robot has") {
   std::string links = link("l0");
   for (int i = 1; i < 20; ++i)
     links += link("l" + std::to_string(i)) + joint("j" + std::to_string(i), "l0", "l" + std::to_string(i));
-  LoadOptions options;
+  ModelLoadOptions options;
   options.max_links = 19;
   check_error([&] { load(robot(links), options); }, ErrorCode::limit_exceeded,
               {"20 links, more than the bound of 19", "--max-links"});
@@ -99,7 +99,7 @@ TEST_CASE("a long chain of links, for which urdfdom needs more stack than there 
   const rlimit small{512u << 10, stack.rlim_max};
   ::setrlimit(RLIMIT_STACK, &small);
   check_load_error(robot(links), ErrorCode::limit_exceeded, {"30000 links"});
-  LoadOptions options;
+  ModelLoadOptions options;
   options.max_links = 30'000;
   options.in_child.emplace();
   check_error([&] { load(robot(links), options); }, ErrorCode::invalid_model, {"brought down"});

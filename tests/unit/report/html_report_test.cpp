@@ -194,7 +194,7 @@ TEST_CASE("a timeline has the actions in radians and radii, and what the solver 
   hand.timeline = {.actions = {action},
                    .driving_vectors_phi = {1.2},
                    .normalized = true,
-                   .options = {.closing = Closing::hard, .passes = 2}};
+                   .options = {.closing = CascadeClosing::hard, .passes = 2}};
   const Json document = hand_document(hand), timeline = document.at("timeline");
   const std::vector<double> expected{0, 0.5 * table.delta_theta_lower, 0, 0, 0, 0, 0, 0, -2, 0.5};
   CHECK(timeline.at("actions").at(0) == Json(expected));

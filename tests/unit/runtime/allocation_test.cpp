@@ -64,10 +64,10 @@ TEST_CASE("counting sees operator new and malloc") {
 }
 
 TEST_CASE("10,000 solves allocate nothing") {
-  for (Rule rule : {Rule::correspondence, Rule::contact}) {
+  for (CascadeRule rule : {CascadeRule::correspondence, CascadeRule::contact}) {
     for (FieldReading field : {FieldReading::finger, FieldReading::field}) {
       CascadeSolver<double> solver(test::small_profile(),
-                                   {.rule = rule, .closing = Closing::fade, .field = field, .passes = 3});
+                                   {.rule = rule, .closing = CascadeClosing::fade, .field = field, .passes = 3});
       std::vector<double> q(solver.joint_count());
       std::vector<std::uint8_t> at_limit(q.size()), closed(q.size());
       SolveReport report{.residual_rms = 0, .at_limit = at_limit, .closed = closed};

@@ -112,8 +112,8 @@ TEST_CASE_TEMPLATE("a batch solves what single solves do, on every instruction s
 
 TEST_CASE("every option can be solved in batches") {
   for (InstructionSet set : available_sets())
-    for (Rule rule : {Rule::correspondence, Rule::contact})
-      for (Closing closing : {Closing::fade, Closing::hard})
+    for (CascadeRule rule : {CascadeRule::correspondence, CascadeRule::contact})
+      for (CascadeClosing closing : {CascadeClosing::fade, CascadeClosing::hard})
         for (FieldReading field : {FieldReading::finger, FieldReading::field})
           for (int passes : {1, 3}) {
             CAPTURE(to_string(set));

@@ -55,9 +55,11 @@ std::vector<double> uniform_action(double delta_r) {
 TEST_CASE("the zero action is a fixed point of the correspondence rule") {
   const HandProfile profile = test::small_profile();
   for (int passes : {1, 2, 5}) {
-    const std::vector<double> q = solve(
-        profile, std::vector<double>(15, 0.0),
-        {.rule = Rule::correspondence, .closing = Closing::fade, .field = FieldReading::finger, .passes = passes});
+    const std::vector<double> q = solve(profile, std::vector<double>(15, 0.0),
+                                        {.rule = CascadeRule::correspondence,
+                                         .closing = CascadeClosing::fade,
+                                         .field = FieldReading::finger,
+                                         .passes = passes});
     for (std::size_t i = 0; i < q.size(); ++i)
       CHECK(q[i] == doctest::Approx(profile.joint_traits[i].q_sphere).epsilon(1e-9));
   }
@@ -77,9 +79,11 @@ TEST_CASE("mimic followers follow and lateral joints obey the table") {
 TEST_CASE("many passes end in a minimum of the weighted squared distance") {
   const HandProfile profile = test::small_profile();
   for (double delta_r : {-0.15, 0.1, 0.2}) {
-    const std::vector<double> q =
-        solve(profile, uniform_action(delta_r),
-              {.rule = Rule::correspondence, .closing = Closing::fade, .field = FieldReading::finger, .passes = 100});
+    const std::vector<double> q = solve(profile, uniform_action(delta_r),
+                                        {.rule = CascadeRule::correspondence,
+                                         .closing = CascadeClosing::fade,
+                                         .field = FieldReading::finger,
+                                         .passes = 100});
     const double best = cost(profile, q, 0, delta_r);
     for (int joint : {1, 3, 4}) {
       for (double step : {-1e-3, 1e-3}) {
@@ -98,9 +102,9 @@ TEST_CASE("many passes end in a minimum of the weighted squared distance") {
 
 TEST_CASE("full contraction closes every encompassing joint and reports it") {
   const HandProfile profile = test::small_profile();
-  for (Closing closing : {Closing::fade, Closing::hard}) {
+  for (CascadeClosing closing : {CascadeClosing::fade, CascadeClosing::hard}) {
     CascadeSolver<double> solver(
-        profile, {.rule = Rule::correspondence, .closing = closing, .field = FieldReading::finger, .passes = 1});
+        profile, {.rule = CascadeRule::correspondence, .closing = closing, .field = FieldReading::finger, .passes = 1});
     std::vector<double> q(solver.joint_count());
     std::vector<std::uint8_t> closed(q.size());
     SolveReport report{.residual_rms = 0, .at_limit = {}, .closed = closed};
@@ -108,10 +112,10 @@ TEST_CASE("full contraction closes every encompassing joint and reports it") {
     REQUIRE(solver.solve({.values = action}, q, report) == Status::ok);
     for (int joint : {1, 3, 4}) {
       CAPTURE(joint);
-      if (closing == Closing::fade) CHECK(q[joint] == profile.joint_traits[joint].q_closed);
-      if (closing == Closing::fade) CHECK(closed[joint] == 1);
+      if (closing == CascadeClosing::fade) CHECK(q[joint] == profile.joint_traits[joint].q_closed);
+      if (closing == CascadeClosing::fade) CHECK(closed[joint] == 1);
     }
-    if (closing == Closing::fade) CHECK(std::isnan(report.residual_rms));
+    if (closing == CascadeClosing::fade) CHECK(std::isnan(report.residual_rms));
   }
 }
 
@@ -161,9 +165,11 @@ TEST_CASE("a mirror image of a left hand solves like the right hand") {
     const std::vector<double> action = test::random_action(random, 0.5, 1.5);
     for (FieldReading field : {FieldReading::finger, FieldReading::field}) {
       const std::vector<double> a =
-          solve(left, action, {.rule = Rule::correspondence, .closing = Closing::fade, .field = field, .passes = 2});
+          solve(left, action,
+                {.rule = CascadeRule::correspondence, .closing = CascadeClosing::fade, .field = field, .passes = 2});
       const std::vector<double> b =
-          solve(right, action, {.rule = Rule::correspondence, .closing = Closing::fade, .field = field, .passes = 2});
+          solve(right, action,
+                {.rule = CascadeRule::correspondence, .closing = CascadeClosing::fade, .field = field, .passes = 2});
       for (std::size_t i = 0; i < a.size(); ++i) CHECK(a[i] == doctest::Approx(b[i]).epsilon(1e-9));
     }
   }

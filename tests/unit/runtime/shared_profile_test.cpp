@@ -61,7 +61,7 @@ Results solve_all(CascadeSolver<double> solver, const std::vector<std::vector<do
 TEST_CASE("eight threads that share a profile compute what one does") {
   const HandProfile profile = test::small_profile();
   const std::vector<std::vector<double>> actions = random_actions(300, 0);
-  for (Rule rule : {Rule::correspondence, Rule::contact}) {
+  for (CascadeRule rule : {CascadeRule::correspondence, CascadeRule::contact}) {
     const SolveOptions options{.rule = rule, .passes = 2};
     const CascadeSolver<double> solver(profile, options);
     check_together([&](std::size_t t) {

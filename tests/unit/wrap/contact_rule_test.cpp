@@ -79,7 +79,7 @@ TEST_CASE("the contact rule wraps an undeformed sphere as the wrap does, for eve
     apply_mimics(hand.anatomy.tree, q_closed);
     const LateralTables tables = build_lateral_tables(hand.anatomy, hand.frame, classes, q_closed);
     REQUIRE(tables.table_of_finger == std::vector<int>{0, -1});
-    CascadeSolver<double> solver(profile_of(hand, classes, q_closed, tables), {.rule = Rule::contact});
+    CascadeSolver<double> solver(profile_of(hand, classes, q_closed, tables), {.rule = CascadeRule::contact});
 
     for (const double delta_theta : {0.0, -0.2, 0.15}) {
       std::vector<double> action(15, 0.0), q(q_closed.size());

@@ -35,7 +35,7 @@ bool is_below(const fs::path& file, const fs::path& folder) {
 
 }  // namespace
 
-MeshFolders::MeshFolders(const std::string& urdf_file, const LoadOptions& options)
+MeshFolders::MeshFolders(const std::string& urdf_file, const ModelLoadOptions& options)
     : urdf_file_(urdf_file), hold_all_(options.allow_outside), folders_{folder_of_model(urdf_file)} {
   for (const PackageFolder& package : options.packages) folders_.push_back(resolved(package.folder));
   for (const fs::path& folder : ros_package_path()) folders_.push_back(resolved(folder));

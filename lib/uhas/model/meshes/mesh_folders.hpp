@@ -9,10 +9,10 @@
 
 namespace uhas {
 
-/// See `LoadOptions::allow_outside`.
+/// See `ModelLoadOptions::allow_outside`.
 class MeshFolders {
  public:
-  MeshFolders(const std::string& urdf_file, const LoadOptions& options);
+  MeshFolders(const std::string& urdf_file, const ModelLoadOptions& options);
 
   /// Symbolic links are followed first; a file that does not exist is where its name says.
   bool hold(const std::filesystem::path& file) const;

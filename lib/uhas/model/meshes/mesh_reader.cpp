@@ -47,7 +47,7 @@ std::string lower_case_extension(const fs::path& path) {
 // not exist, so that they are neither needed nor read.
 class MeshFiles : public Assimp::IOSystem {
  public:
-  MeshFiles(fs::path mesh, std::string reference, const LoadOptions& options, const MeshFolders& folders,
+  MeshFiles(fs::path mesh, std::string reference, const ModelLoadOptions& options, const MeshFolders& folders,
             SourceLog& sources)
       : mesh_(std::move(mesh)),
         reference_(std::move(reference)),
@@ -88,7 +88,7 @@ class MeshFiles : public Assimp::IOSystem {
 
   fs::path mesh_;
   std::string reference_;
-  const LoadOptions& options_;
+  const ModelLoadOptions& options_;
   const MeshFolders& folders_;
   SourceLog& sources_;
   std::map<fs::path, std::vector<std::byte>> contents_;
@@ -209,7 +209,7 @@ TriangleMesh read_with_assimp(const fs::path& path, const std::string& extension
   return SceneFlattener(*scene, path, max_triangles).flatten();
 }
 
-TriangleMesh read_mesh(const MeshFile& file, const LoadOptions& options, const MeshFolders& folders,
+TriangleMesh read_mesh(const MeshFile& file, const ModelLoadOptions& options, const MeshFolders& folders,
                        SourceLog& sources) {
   const auto& [path, reference] = file;
   const std::string extension = lower_case_extension(path);
@@ -232,7 +232,7 @@ TriangleMesh read_mesh(const MeshFile& file, const LoadOptions& options, const M
 
 }  // namespace
 
-std::vector<TriangleMesh> read_meshes(std::span<const MeshFile> files, const LoadOptions& options,
+std::vector<TriangleMesh> read_meshes(std::span<const MeshFile> files, const ModelLoadOptions& options,
                                       const MeshFolders& folders, SourceLog& sources) {
   std::vector<TriangleMesh> meshes;
   std::uint64_t triangles = 0, vertices = 0;

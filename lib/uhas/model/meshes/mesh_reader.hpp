@@ -29,7 +29,7 @@ struct MeshFile {
 /// Every file read is added to `sources`. Faces that are not triangles after triangulation (lines, points) are skipped.
 /// @param folders  where the buffers of a glTF file may be; where the files themselves may be is for the caller to ask
 /// Throws Error: file_unreadable, limit_exceeded, invalid_mesh.
-std::vector<TriangleMesh> read_meshes(std::span<const MeshFile> files, const LoadOptions& options,
+std::vector<TriangleMesh> read_meshes(std::span<const MeshFile> files, const ModelLoadOptions& options,
                                       const MeshFolders& folders, SourceLog& sources);
 
 }  // namespace uhas

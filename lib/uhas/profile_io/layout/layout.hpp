@@ -91,10 +91,10 @@ void visit_layout(Archive& archive, Profile& p) {
                 Column{"weight", "1", &Correspondence::weight});
 
   archive.table("findings", p.findings,
-                Column{"item", "", &Finding::item},
-                Column{"value", "", &Finding::value},
-                Column{"reason", "", &Finding::reason},
-                Column{"confidence", "1", &Finding::confidence});
+                Column{"item", "", &HandFinding::item},
+                Column{"value", "", &HandFinding::value},
+                Column{"reason", "", &HandFinding::reason},
+                Column{"confidence", "1", &HandFinding::confidence});
 
   archive.table("sources", p.sources,
                 Column{"name", "", &SourceFile::name},

@@ -81,8 +81,8 @@ UHAS_EXPORT(link_count) std::size_t link_count() { return hand->profile.links.si
 
 /// Numbers as in SolveOptions.
 UHAS_EXPORT(set_options) void set_options(int rule, int closing, int field, int passes) {
-  hand->solver = CascadeSolver<double>(hand->profile, {.rule = static_cast<Rule>(rule),
-                                                       .closing = static_cast<Closing>(closing),
+  hand->solver = CascadeSolver<double>(hand->profile, {.rule = static_cast<CascadeRule>(rule),
+                                                       .closing = static_cast<CascadeClosing>(closing),
                                                        .field = static_cast<FieldReading>(field),
                                                        .passes = passes});
 }

@@ -67,7 +67,7 @@ Json meshes_json(const HandGeometry& geometry) {
 
 Json findings_json(const HandProfile& profile) {
   Json findings = Json::array();
-  for (const Finding& finding : profile.findings)
+  for (const HandFinding& finding : profile.findings)
     findings.push_back({{"item", finding.item},
                         {"value", finding.value},
                         {"reason", finding.reason},
@@ -194,8 +194,8 @@ Json names_where(const HandProfile& profile, const std::vector<std::uint8_t>& fl
 /// As the page's solver takes them.
 Json options_json(const ReportTimeline& timeline) {
   const SolveOptions& options = timeline.options;
-  Json document{{"rule", options.rule == Rule::contact ? "contact" : "correspondence"},
-                {"closing", options.closing == Closing::hard ? "hard" : "fade"},
+  Json document{{"rule", options.rule == CascadeRule::contact ? "contact" : "correspondence"},
+                {"closing", options.closing == CascadeClosing::hard ? "hard" : "fade"},
                 {"field", options.field == FieldReading::field ? "field" : "finger"},
                 {"passes", options.passes}};
   if (!timeline.driving_vectors_phi.empty()) document["driving_vectors_phi"] = timeline.driving_vectors_phi;

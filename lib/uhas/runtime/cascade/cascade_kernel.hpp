@@ -205,7 +205,7 @@ void Cascade<Num, Wide>::solve_step(const Model& model, const SolverStep& step, 
   Num open_share(1);
   if (!all(weight == full_weight)) {  // closing has taken some
     open_share = weight / select(full_weight > Num(0), full_weight, Num(1));
-    if (model.options.closing == Closing::hard) open_share = select(open_share > Num(0), Num(1), open_share);
+    if (model.options.closing == CascadeClosing::hard) open_share = select(open_share > Num(0), Num(1), open_share);
   }
   state.open_share = open_share;
   const Mask closed = open_share <= Num(0);
@@ -227,7 +227,7 @@ template <class Num, class Wide>
 typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::fit_step(const Model& model, const SolverStep& step,
                                                               const RigidTransform<Num>& F, const Pass& pass) noexcept {
   if constexpr (LaneTraits<Num>::width == 1) {  // the contact rule is not made for lanes
-    if (model.options.rule == Rule::contact) {
+    if (model.options.rule == CascadeRule::contact) {
       const SolverJoint<Real>& joint = model.joints[step.joint];
       return within_limits(joint,
                            joint.value(step.single ? contact_single(model, step, F) : contact_group(model, step)));

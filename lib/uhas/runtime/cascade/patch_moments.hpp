@@ -18,8 +18,8 @@ inline constexpr double kFadeBegins = -0.5, kFadeEnds = -1.0;
 /// What closing leaves of a point: 1 or 0 for `hard`, else smoothstep between the bounds above. At the anchored pole
 /// the displacement of the first driving vector counts for `fade`: it must not keep a root open.
 template <class Num>
-Num open_share(const typename RadialProfile<Num>::At& radial, Closing closing) {
-  if (closing == Closing::hard) return select(Num(1) + radial.delta_r < Num(0), Num(0), Num(1));
+Num open_share(const typename RadialProfile<Num>::At& radial, CascadeClosing closing) {
+  if (closing == CascadeClosing::hard) return select(Num(1) + radial.delta_r < Num(0), Num(0), Num(1));
   const Num u = clamp((Num(1) + radial.past_first) * Num(2), Num(0), Num(1));
   return u * u * (Num(3) - Num(2) * u);
 }
@@ -27,7 +27,7 @@ Num open_share(const typename RadialProfile<Num>::At& radial, Closing closing) {
 /// Moments of a patch point by point; `Wide` takes as many at once as it has lanes.
 template <class Wide>
 PointMoments<Wide> visit_points(const PointColumns<LaneReal<Wide>>& columns, const RadialProfile<Wide>& profile,
-                                Closing closing) {
+                                CascadeClosing closing) {
   PointMoments<Wide> moments;
   for (std::size_t k = 0; k < columns.length; k += LaneTraits<Wide>::width) {
     const auto column = [&](const auto& numbers) { return load<Wide>(numbers.data() + k); };
@@ -78,7 +78,7 @@ struct PatchState {
 
 template <class Num>
 PatchState<Num> classify_patch(const SolverPatch<LaneReal<Num>>& patch, const PlaneDeformation<Num>& plane,
-                               Closing closing) {
+                               CascadeClosing closing) {
   using Real = LaneReal<Num>;
   const Num least_phi(patch.least_phi), greatest_phi(patch.greatest_phi);
   // sums of great differences lose digits: driving vectors a few degrees apart are left to the points
@@ -100,7 +100,7 @@ PatchState<Num> classify_patch(const SolverPatch<LaneReal<Num>>& patch, const Pl
     highest_past = select(inside, max(highest_past, plane.delta_r[j]), highest_past);
   }
   const Num begins{Real(kFadeBegins)}, ends{Real(kFadeEnds)};
-  const bool hard = closing == Closing::hard;
+  const bool hard = closing == CascadeClosing::hard;
   const MaskOf<Num> in_front = Num(patch.least_rho) + lowest >= Num(0);
   const MaskOf<Num> shown = hard ? lowest >= ends : lowest_past >= begins;
   const MaskOf<Num> whole = summable & in_front & shown;
@@ -163,7 +163,7 @@ void keep_where(MaskOf<Num> mask, PointMoments<Num>& moments) {
 
 /// Moments of a patch, lane by lane as its plane deforms it, into `moments`.
 template <class Wide, class Num>
-void sum_patch(const SolverPatch<LaneReal<Num>>& patch, const PlaneDeformation<Num>& plane, Closing closing,
+void sum_patch(const SolverPatch<LaneReal<Num>>& patch, const PlaneDeformation<Num>& plane, CascadeClosing closing,
                PointMoments<Num>& moments) {
   const PatchState<Num> state = classify_patch(patch, plane, closing);
   if (any(state.whole)) {

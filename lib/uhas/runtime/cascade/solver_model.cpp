@@ -53,7 +53,7 @@ SolverJoint<Real> compile_joint(const HandProfile& profile, const SolveOptions& 
   compiled.greatest = static_cast<Real>(joint.mimic_master < 0 ? joint.upper : unbounded);
   compiled.lower = value(joint.lower);
   compiled.upper = value(joint.upper);
-  const bool from_open = options.rule == Rule::contact && traits.joint_class == JointClass::encompassing;
+  const bool from_open = options.rule == CascadeRule::contact && traits.joint_class == JointClass::encompassing;
   compiled.start = value(from_open ? traits.q_open : traits.q_sphere);
   compiled.q_closed = static_cast<Real>(traits.q_closed / unit);
   const bool closes_upward = joint.upper - traits.q_closed <= traits.q_closed - joint.lower;
@@ -238,7 +238,7 @@ SolverModel<Real>::SolverModel(const HandProfile& profile, const SolveOptions& s
   }
 
   // the decay rises to 1 over the passes: the last ones descend on the plain weights
-  const int pass_count = options.rule == Rule::contact ? 1 : options.passes;
+  const int pass_count = options.rule == CascadeRule::contact ? 1 : options.passes;
   for (int pass = 0; pass < pass_count; ++pass) {
     const double done = pass_count > 1 ? double(pass) / double(pass_count - 1) : 0;
     passes.push_back({.decay = static_cast<Real>(std::pow(kDecay, 1 - done)), .first = pass == 0});

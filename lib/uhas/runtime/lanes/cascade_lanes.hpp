@@ -35,7 +35,7 @@ struct CascadeLanes {
 template <class Real>
 CascadeLanes<Real> cascade_lanes_scalar();  ///< every option; one hand at a time
 template <class Real>
-CascadeLanes<Real> cascade_lanes_baseline();  ///< Rule::correspondence and FieldReading::finger only
+CascadeLanes<Real> cascade_lanes_baseline();  ///< CascadeRule::correspondence and FieldReading::finger only
 template <class Real>
 CascadeLanes<Real> cascade_lanes_avx2();  ///< the same; call it only where AVX2 and FMA are
 

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Runs every command of README.md.
+"""Runs every command of README.md and of the pages of docs/ that are for users.
 
     check_readme.py --bin build/dev/bin
 
 Commands with their output, as in `$ uhas-solve …`, must print what the page shows, `...` standing for any lines; commands of the
 tools within a sentence or a table must succeed. The long ones, which build everything, are run by tests/run.sh: that it does is
-checked here. The programs of the page are built and run by the test `install`.
+checked here. The programs of docs/library.md are built and run by the test `install`.
 """
 
 import argparse
@@ -25,9 +25,9 @@ sys.path.insert(0, str(ROOT / "tests/support"))
 import transcript  # noqa: E402
 
 HAND = ROOT / "hands/allegro_right"
-README = (ROOT / "README.md").read_text()
+PAGES = ["README.md", "docs/conventions.md", "docs/hand-read-wrongly.md", "docs/library.md", "docs/tools.md"]
 
-# commands of the page that build everything, and what tests/run.sh has in their place
+# commands of the pages that build everything, and what tests/run.sh has in their place
 RUN_BY_CI = {
     "examples/quickstart.sh": "examples/quickstart.sh",
     "tests/run.sh": "tests/run.sh",
@@ -40,27 +40,27 @@ RUN_BY_CI = {
 }
 
 
-def transcripts():
+def transcripts(text):
     """[(command, output shown)] of the indented blocks that begin with `$`."""
     return [(command, re.sub(r"^    ", "", shown, flags=re.M))
-            for command, shown in re.findall(r"^    \$ (.*)\n((?:    .*\n|\n(?=    ))*)", README, re.M)]
+            for command, shown in re.findall(r"^    \$ (.*)\n((?:    .*\n|\n(?=    ))*)", text, re.M)]
 
 
-def inline_commands():
+def inline_commands(text):
     """Commands in code spans; one that names nothing but options, as `uhas-solve --avoid`, only speaks of them."""
-    text = re.sub(r"^```.*?^```", "", README, flags=re.M | re.S)
+    text = re.sub(r"^```.*?^```", "", text, flags=re.M | re.S)
     spans = [span for span in re.findall(r"`([^`\n]+)`", text) if re.match(r"uhas-\S+ .|man -l|cmake ", span)]
     return [span for span in spans if not re.fullmatch(r"uhas-\S+( --\S+)+", span)]
 
 
-def script_commands():
+def script_commands(text):
     """Commands of the indented blocks without `$`."""
-    lines = re.findall(r"^    ((?:examples|tests)/\S+)", README, re.M)
+    lines = re.findall(r"^    ((?:examples|tests)/\S+)", text, re.M)
     return [line for line in lines if line.endswith(".sh")]
 
 
 def prepare(folder, environment):
-    """What the page's names stand for."""
+    """What the pages' names stand for."""
     shutil.copytree(HAND, folder, dirs_exist_ok=True)
     shutil.copy(HAND / "allegro_right.urdf", folder / "hand.urdf")
     shutil.copytree(ROOT / "examples", folder / "examples")
@@ -81,19 +81,22 @@ def main():
     environment = dict(os.environ, PATH=f"{bin_folder}:{os.environ['PATH']}", MANPAGER="cat")
     ci = (ROOT / "tests/run.sh").read_text()
     faults, count = [], 0
-    with tempfile.TemporaryDirectory() as name:
-        folder = pathlib.Path(name)
-        prepare(folder, environment)
-        commands = transcripts() + [(command, "") for span in inline_commands() for command in span.split(" && ")]
-        for command, shown in commands + [(command, "") for command in script_commands()]:
-            count += 1
-            if command in RUN_BY_CI:
-                faults += [] if RUN_BY_CI[command] in ci else [f"'{command}': tests/run.sh does not run it"]
-            else:
-                faults += transcript.run(command, shown, folder, environment)
-    if count < 10:
-        faults.append(f"only {count} commands found in README.md")
-    print("\n".join(faults) if faults else f"{count} commands of README.md run")
+    for page in PAGES:
+        text = (ROOT / page).read_text()
+        commands = transcripts(text) + [(command, "") for span in inline_commands(text) for command in span.split(" && ")]
+        commands += [(command, "") for command in script_commands(text)]
+        count += len(commands)
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            prepare(folder, environment)
+            for command, shown in commands:
+                if command not in RUN_BY_CI:
+                    faults += [f"{page}: {fault}" for fault in transcript.run(command, shown, folder, environment)]
+                elif RUN_BY_CI[command] not in ci:
+                    faults.append(f"{page}: '{command}': tests/run.sh does not run it")
+    if count < 20:
+        faults.append(f"only {count} commands found in {', '.join(PAGES)}")
+    print("\n".join(faults) if faults else f"{count} commands run")
     return 1 if faults else 0
 
 

@@ -7,7 +7,7 @@
 
 Public headers compile one by one and need nothing that is not installed; the examples build against the package and run;
 pkg-config leads to the same library; uhas::preprocess is found where it was built and refused with a reason where not; the
-programs of README.md build and run.
+programs of docs/library.md build and run.
 A build without tools cannot make a hand profile: --profile gives it one.
 """
 
@@ -118,21 +118,21 @@ class Installation:
         run("c++", "-std=c++20", self.prefix / "share/doc/uhas/examples/02_solve.cpp", *flags, "-o", program)
         run(program, self.profile, env=dict(os.environ, LD_LIBRARY_PATH=str(self.library)))
 
-    def check_readme(self):
-        """The C++ program of README.md with its lines of CMake, and its lines of C, in a folder with the profile they name."""
-        blocks = dict(re.findall(r"^```(cpp|cmake|c)\n(.*?)^```", (ROOT / "README.md").read_text(), re.M | re.S))
-        source, build = self.scratch / "readme", self.scratch / "readme build"
+    def check_library_page(self):
+        """The C++ program of docs/library.md with its lines of CMake, and its lines of C, in a folder with the profile they name."""
+        blocks = dict(re.findall(r"^```(cpp|cmake|c)\n(.*?)^```", (ROOT / "docs/library.md").read_text(), re.M | re.S))
+        source, build = self.scratch / "library page", self.scratch / "library page build"
         source.mkdir()
         (source / "controller.cpp").write_text(blocks["cpp"])
         (source / "snippet.c").write_text(C_PROGRAM.replace("SNIPPET", blocks["c"]))
         (source / "CMakeLists.txt").write_text(
-            "cmake_minimum_required(VERSION 3.25)\nproject(readme LANGUAGES C CXX)\n"
+            "cmake_minimum_required(VERSION 3.25)\nproject(library_page LANGUAGES C CXX)\n"
             "add_executable(my_controller controller.cpp)\nadd_executable(snippet snippet.c)\n" + blocks["cmake"]
             + "target_link_libraries(snippet PRIVATE uhas::runtime)\n")
         self.build(source, build)
         shutil.copy(self.profile, build / "allegro_right.h5")
         if run(build / "my_controller", cwd=build).count("\n") != 16:
-            raise Failure("the program of README.md does not print 16 joints")
+            raise Failure("the program of docs/library.md does not print 16 joints")
         run(build / "snippet", cwd=build)
 
     def check_preprocess(self):
@@ -167,7 +167,7 @@ def main():
     with tempfile.TemporaryDirectory(prefix="uhas install ") as folder:  # a space: paths must be quoted everywhere
         package = Installation(options.build, pathlib.Path(folder), options.profile)
         checks = [package.check_headers, package.check_soname, package.check_examples, package.check_pkg_config,
-                  package.check_readme]
+                  package.check_library_page]
         if package.has_preprocess:
             checks = [package.make_profile, *checks, package.check_preprocess, package.check_report]
         else:

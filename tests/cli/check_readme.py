@@ -41,9 +41,9 @@ RUN_BY_CI = {
 
 
 def transcripts(text):
-    """[(command, output shown)] of the indented blocks that begin with `$`."""
+    """[(command, output shown)] of the indented lines that begin with `$` and of what follows them, up to the next."""
     return [(command, re.sub(r"^    ", "", shown, flags=re.M))
-            for command, shown in re.findall(r"^    \$ (.*)\n((?:    .*\n|\n(?=    ))*)", text, re.M)]
+            for command, shown in re.findall(r"^    \$ (.*)\n((?:    (?!\$ ).*\n|\n(?=    (?!\$ )))*)", text, re.M)]
 
 
 def inline_commands(text):

@@ -2,6 +2,8 @@
 """What the Markdown pages of the repository say of it, against it.
 
 - every relative link leads to a file, and to a heading where it names one;
+- so does every `docs/<page>.md#<heading>` in code, and no comment cites a document that is not in the repository;
+- every source or script that a page names in a code span is there;
 - CONTRIBUTING.md maps every room of lib/uhas, every top-level folder and every suite of tests, and none that is not there;
 - it describes every preset that is built, and none that is not there;
 - each entry of CHANGELOG.md says whom it concerns: `lib:`, `cli:`, `format:` or `doc:`.
@@ -51,6 +53,34 @@ def check_links():
                 yield f"{name}: links to {target}, which has no such heading"
 
 
+def code_files():
+    """[(name, text)] of sources, scripts and headers; this file speaks of what it looks for."""
+    for name in tracked("lib", "tools", "tests", "examples", "cmake"):
+        if name != "tests/docs/check_documents.py" and re.search(r"\.(hpp|cpp|h|c|py|sh|cmake|txt|js)$", name):
+            yield name, (ROOT / name).read_text()
+
+
+def check_references():
+    for name, text in code_files():
+        for page, anchor in re.findall(r"docs/([\w-]+\.md)(?:#([\w-]+))?", text):
+            there = ROOT / "docs" / page
+            if not there.exists():
+                yield f"{name}: refers to docs/{page}, which is not there"
+            elif anchor and anchor not in anchors(there):
+                yield f"{name}: refers to docs/{page}#{anchor}, which has no such heading"
+        for citation in re.findall(r"\bdesign,?[\s/#*<]+\d[\d.]*", text):
+            yield f"{name}: cites '{' '.join(citation.split())}', which is not in the repository: cite docs/method.md#<heading>"
+
+
+def check_named_files():
+    files = ["/" + name for name in tracked()]
+    for name in tracked("README.md", "CONTRIBUTING.md", "docs/*.md"):
+        text = re.sub(r"^```.*?^```", "", (ROOT / name).read_text(), flags=re.M | re.S)
+        for span in re.findall(r"`([\w./-]+\.(?:hpp|cpp|h|py|sh|cmake|js))`", text):
+            if not any(file.endswith("/" + span) for file in files):
+                yield f"{name}: names {span}, which is not there"
+
+
 def difference(named, there, what):
     yield from (f"CONTRIBUTING.md does not name {what} {name}" for name in sorted(there - named))
     yield from (f"CONTRIBUTING.md names {what} {name}, which is not there" for name in sorted(named - there))
@@ -81,7 +111,7 @@ def check_changelog():
 
 
 def main():
-    faults = [*check_links(), *check_map(), *check_presets(), *check_changelog()]
+    faults = [*check_links(), *check_references(), *check_named_files(), *check_map(), *check_presets(), *check_changelog()]
     print("\n".join(faults) if faults else "the pages agree with the repository")
     return 1 if faults else 0
 

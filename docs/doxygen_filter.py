@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """A header with its plain comments as Doxygen reads them: the comment at the top tells of the file, and in uhas.h, whose comments
-are those of C, each tells of what it stands above or beside. Line numbers stay as they are."""
+are those of C, each tells of what it stands above or beside. `docs/page.md#heading` is no link to a member. Line numbers stay as
+they are."""
 
 import re
 import sys
@@ -25,6 +26,7 @@ def of_c(text):
 def main():
     with open(sys.argv[1], encoding="utf-8") as file:
         text = file.read()
+    text = re.sub(r"(docs/[\w-]+\.md)#", r"\1\#", text)
     sys.stdout.write(of_c(text) if sys.argv[1].endswith(".h") else of_cpp(text))
 
 

@@ -1,4 +1,4 @@
-// build_benchmark: what building a profile costs against only loading the same meshes (design 7).
+// build_benchmark: what building a profile costs against only loading the same meshes (docs/performance.md#build).
 #include <cstdlib>
 #include <iostream>
 #include <optional>

@@ -1,4 +1,4 @@
-// A promise (design 7) and what was measured of it.
+// A promise (docs/performance.md) and what was measured of it.
 #pragma once
 
 #include <iosfwd>

@@ -1,4 +1,4 @@
-// The performance that uhas promises (design 7), held against what was measured.
+// The performance that uhas promises (docs/performance.md), held against what was measured.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace uhas::benchmark {
 
-/// Where the design speaks of a five-finger hand of twenty joints: hands with at least as many, or, when none was
-/// measured, all that were. `growth` may have no rows.
+/// Where a promise is about a five-finger hand of twenty joints: hands with at least as many, or, when none was measured,
+/// all that were. `growth` may have no rows.
 std::vector<Judgement> hold_against_requirements(const std::vector<HandMeasurement>& hands, const PointGrowth& growth);
 
 }  // namespace uhas::benchmark

@@ -1,4 +1,4 @@
-// runtime_benchmark: the runtime library against its peers and against what it promises (design 7).
+// runtime_benchmark: the runtime library against its peers and against what it promises (docs/performance.md#runtime).
 #include <cstdlib>
 #include <iostream>
 

@@ -1,4 +1,5 @@
-// Sideways ranges belong to the wrapped pose, not to the fully flexed one that limits decide (design 3.6).
+// Sideways ranges belong to the wrapped pose, not to the fully flexed one that limits decide
+// (docs/method.md#lateral-tables).
 #pragma once
 
 #include <doctest/doctest.h>

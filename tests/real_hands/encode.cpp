@@ -1,4 +1,5 @@
-// Encode and retarget on every hand (design 3.10): what a solve gave comes back, and how far other postures stay away.
+// Encode and retarget on every hand (docs/method.md#encode-and-retarget): what a solve gave comes back, and how far
+// other postures stay away.
 #include <doctest/doctest.h>
 
 #include <algorithm>

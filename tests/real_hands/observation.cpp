@@ -1,4 +1,5 @@
-// Observations against KDL, whose Jacobians come from urdfdom's tree and not from the profile (design 3.9).
+// Observations against KDL, whose Jacobians come from urdfdom's tree and not from the profile
+// (docs/method.md#observation).
 #include "uhas/runtime/observation.hpp"
 
 #include <doctest/doctest.h>

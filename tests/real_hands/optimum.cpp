@@ -1,5 +1,5 @@
-// The cascade against a numerical optimum of J = sum w s |p - t|^2 a finger (design 3.8): NLopt, several starts, same
-// limits. Targets and shares are written here a second time, from the design alone.
+// The cascade against a numerical optimum of J = sum w s |p - t|^2 a finger (docs/method.md#how-near-to-the-optimum):
+// NLopt, several starts, same limits. Targets and shares are written here a second time, from that page alone.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Self-collision, judged without FCL: triangle by triangle, every pair of links that does not hold
-// together (design 3.11).
+// together (docs/method.md#self-collision).
 #include <doctest/doctest.h>
 
 #include <algorithm>

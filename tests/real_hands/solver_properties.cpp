@@ -1,4 +1,4 @@
-// What must hold of the solver on every hand (design 3.8 and 4).
+// What must hold of the solver on every hand (docs/method.md#the-cascade).
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// What must hold of joint classes, wrap and lateral tables on every hand (design 3.4 to 3.6).
+// What must hold of joint classes, wrap and lateral tables on every hand (docs/method.md#joint-classes,
+// docs/method.md#wrap, docs/method.md#lateral-tables).
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -32,7 +32,8 @@ def plane_groups(azimuths):
 
 
 def field(profile, action, theta, phi):
-    """Azimuth and radius [N] of points of the unit sphere, interpolated around the circle of planes (design 3.7)."""
+    """Azimuth and radius [N] of points of the unit sphere, interpolated around the circle of planes
+    (docs/method.md#the-interpolated-field)."""
     azimuths, turns, radii = [], [], []
     for group in plane_groups(profile["fingers"]["theta_initial"]):
         planes = [read_profile.finger_deformation(profile, finger, action) for finger in group]

@@ -1,4 +1,5 @@
-// Anatomy: which parts of a kinematic tree are palm, fingers, fingertips, thumb; how the open hand stands (design 3.2).
+// Anatomy: which parts of a kinematic tree are palm, fingers, fingertips, thumb; how the open hand stands
+// (docs/method.md#anatomy).
 // From here on every stage works in the frame P of the palm link with the joints of the fingers only.
 #pragma once
 

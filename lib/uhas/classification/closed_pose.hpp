@@ -1,4 +1,4 @@
-// q_closed: the end of each joint's range toward which the finger closes (design 3.4).
+// q_closed: the end of each joint's range toward which the finger closes (docs/method.md#closed-pose).
 #pragma once
 
 #include <vector>

@@ -1,4 +1,5 @@
-// Lateral or encompassing: what each joint mainly does to its fingertip (paper, section 3.4; design 3.5).
+// Lateral or encompassing: what each joint mainly does to its fingertip (paper, section 3.4;
+// docs/method.md#joint-classes).
 #pragma once
 
 #include <span>

@@ -1,4 +1,5 @@
-// Self-collision of a posed hand (design 3.11): whether links touch that should not, and how near the nearest come.
+// Self-collision of a posed hand (docs/method.md#self-collision): whether links touch that should not, and how near the
+// nearest come.
 //
 //   const SelfCollision collision(profile, hand_geometry(profile, model, "hand.urdf"));
 //   if (collision.collides(q)) ...

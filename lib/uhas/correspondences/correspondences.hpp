@@ -1,5 +1,5 @@
-// Correspondences: points of the hand's surface and their fixed coordinates on the sphere (paper, section
-// 3.2; design 3.4).
+// Correspondences: points of the hand's surface and their fixed coordinates on the sphere (paper, section 3.2;
+// docs/method.md#correspondences).
 #pragma once
 
 #include <span>

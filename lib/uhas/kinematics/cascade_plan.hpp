@@ -21,7 +21,7 @@ struct CascadeStep {
   std::vector<int> fingers;  ///< fingers that it moves
   std::vector<ContactNode>
       nodes;  ///< one a finger moved: the next encompassing joint that the step displaces, for the last one
-              ///< and for a mimic group the fingertip (design 3.4)
+              ///< and for a mimic group the fingertip (docs/method.md#wrap)
 };
 
 /// The encompassing unknowns in solving order: those that move several fingers first, then finger by finger,

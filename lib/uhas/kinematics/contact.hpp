@@ -37,7 +37,8 @@ inline constexpr Real kLeastGain = Real(1e-4);
 /// Joint value at which the circle first meets the sphere of radius 1 about the origin on the way from open to
 /// closed; a point inside at open is turned outward, toward the opposite end. No meeting: the value of least | |p| -
 /// 1 | on the way.
-/// |p(t)|^2 = K + A cos t + B sin t, so both the meeting and the extremum have closed forms (design 3.4).
+/// |p(t)|^2 = K + A cos t + B sin t, so both the meeting and the extremum have closed forms
+/// (docs/method.md#wrap).
 template <class Real>
 Real first_contact_with_sphere(const Circle<Real>& circle, const JointTravel<Real>& travel) {
   constexpr Real two_pi = 2 * std::numbers::pi_v<Real>;

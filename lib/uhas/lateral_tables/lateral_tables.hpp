@@ -1,4 +1,5 @@
-// Lateral look-up tables: joint value <-> fingertip azimuth on the wrapped hand (paper, section 3.4; design 3.6).
+// Lateral look-up tables: joint value <-> fingertip azimuth on the wrapped hand (paper, section 3.4;
+// docs/method.md#lateral-tables).
 #pragma once
 
 #include <span>

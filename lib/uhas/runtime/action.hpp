@@ -1,4 +1,4 @@
-// The action: 5 + 5 V numbers that deform the sphere (design 2).
+// The action: 5 + 5 V numbers that deform the sphere (docs/conventions.md#the-action).
 #pragma once
 
 #include <span>

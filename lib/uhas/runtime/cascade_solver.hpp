@@ -1,4 +1,4 @@
-// Cascade Inverse Kinematics (paper, section 3.4 and appendix A; design 3.7 and 3.8): a deformed sphere
+// Cascade Inverse Kinematics (paper, section 3.4 and appendix A; docs/method.md#the-cascade): a deformed sphere
 // becomes joint angles.
 //
 //   uhas::CascadeSolver<double> solver(uhas::read_profile("hand.h5"));

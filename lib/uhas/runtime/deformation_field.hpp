@@ -1,5 +1,5 @@
-// The deformation of the whole sphere, interpolated between the driving planes (paper, section 3.3; design 3.7): what
-// drawings of the deformed sphere show.
+// The deformation of the whole sphere, interpolated between the driving planes (paper, section 3.3;
+// docs/method.md#the-interpolated-field): what drawings of the deformed sphere show.
 #pragma once
 
 #include <memory>

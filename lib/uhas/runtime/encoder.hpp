@@ -1,4 +1,5 @@
-// Encode (design 3.10), the inverse of the cascade: joint angles become the action whose solve comes nearest to them.
+// Encode, the inverse of the cascade: joint angles become the action whose solve comes nearest to them
+// (docs/method.md#encode-and-retarget).
 //
 //   uhas::Encoder<double> encoder(uhas::read_profile("hand.h5"));
 //   std::vector<double> action(encoder.action_size());

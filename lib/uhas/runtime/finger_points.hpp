@@ -1,4 +1,5 @@
-// Points along a finger whose motion stands for the finger's (paper, 'Sphere Observation Space'; design 3.9).
+// Points along a finger whose motion stands for the finger's (paper, 'Sphere Observation Space';
+// docs/method.md#observation).
 #pragma once
 
 #include <array>

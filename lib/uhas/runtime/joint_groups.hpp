@@ -1,4 +1,5 @@
-// The joints of a hand by what they do to its fingertips, and the posture that rewards refer to (design 3.9).
+// The joints of a hand by what they do to its fingertips, and the posture that rewards refer to
+// (docs/method.md#observation).
 #pragma once
 
 #include <vector>

@@ -1,4 +1,5 @@
-// The homogeneous observation (paper, 'Sphere Observation Space'; design 3.9): the same numbers for every hand.
+// The homogeneous observation (paper, 'Sphere Observation Space'; docs/method.md#observation): the same numbers for
+// every hand.
 //
 //   uhas::Observer<float> observer(uhas::read_profile("hand.h5"));
 //   std::vector<float> observation(observer.size());

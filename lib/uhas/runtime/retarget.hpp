@@ -1,4 +1,5 @@
-// Retarget (design 3.10): the posture of one hand on another, by way of the action that both understand.
+// Retarget: the posture of one hand on another, by way of the action that both understand
+// (docs/method.md#encode-and-retarget).
 #pragma once
 
 #include <vector>

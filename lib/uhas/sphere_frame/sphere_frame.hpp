@@ -1,4 +1,4 @@
-// The sphere frame S and its radius (paper, section 3.1; design 2 and 3.3).
+// The sphere frame S and its radius (paper, section 3.1; docs/method.md#the-sphere).
 #pragma once
 
 #include <array>

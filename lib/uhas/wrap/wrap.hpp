@@ -1,4 +1,4 @@
-// Wrapping the hand on the undeformed sphere: q_sphere (design 3.4).
+// Wrapping the hand on the undeformed sphere: q_sphere (docs/method.md#wrap).
 #pragma once
 
 #include <span>

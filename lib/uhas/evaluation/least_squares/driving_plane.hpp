@@ -1,5 +1,5 @@
-// The deformation of a finger's plane, written a second time from the design alone (2 and 3.7), for
-// two driving vectors.
+// The deformation of a finger's plane, written a second time from docs/conventions.md#the-action and
+// docs/method.md#driving-planes alone, for two driving vectors.
 #pragma once
 
 #include <array>

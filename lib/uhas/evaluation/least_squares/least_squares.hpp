@@ -1,5 +1,6 @@
-// The least-squares problem that the cascade answers (design 3.7 and 3.8), written a second time from the design alone:
-// a finger's points, their targets under an action, and the weighted squared distance with its derivative.
+// The least-squares problem that the cascade answers (docs/method.md#targets, docs/method.md#closing), written a second
+// time from that page alone: a finger's points, their targets under an action, and the weighted squared distance with
+// its derivative.
 #pragma once
 
 #include <span>

@@ -85,7 +85,7 @@ void Cascade<Num, Wide>::begin_joints(const Model& model, const SolverPart& part
   }
 }
 
-// where a material point goes, and what closing leaves of it (design 3.7 and 3.8)
+// where a material point goes, and what closing leaves of it (docs/method.md#targets, docs/method.md#closing)
 template <class Num, class Wide>
 typename Cascade<Num, Wide>::Target Cascade<Num, Wide>::target_of(const Model& model,
                                                                   const SolverPoint<Real>& point) const noexcept {
@@ -267,13 +267,14 @@ void Cascade<Num, Wide>::close_faded(const Model& model, const SolverPart& part)
   }
 }
 
-// The angle of least squares in closed form, from the present one: atan2 of the summed sines and cosines (design 3.8).
+// The angle of least squares in closed form, from the present one: atan2 of the summed sines and cosines
+// (docs/method.md#one-joint).
 //
 // A share of the points' own weight holds the joint where it is: where the targets come close to the axis and the sums
 // nearly cancel, the angle would otherwise spin. What pulls backward, by more than a quarter turn, is left out: a
-// target that passes behind the joint would otherwise throw it from one limit to the other (measured, design 3.8: jumps
-// of 1.4 to 3.4 rad on seven of twelve hands). At rest neither changes anything, and over several passes the hold
-// fades, since it pulls to the pass before. The lead turns the sums on by an angle, to first order.
+// target that passes behind the joint would otherwise throw it from one limit to the other (measured:
+// docs/method.md#hold). At rest neither changes anything, and over several passes the hold fades, since it pulls to the
+// pass before. The lead (docs/method.md#lead) turns the sums on by an angle, to first order.
 template <class Num, class Wide>
 typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::fit_single(const Model& model, const SolverStep& step,
                                                                 const RigidTransform<Num>& F,

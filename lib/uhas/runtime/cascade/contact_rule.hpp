@@ -1,4 +1,4 @@
-// The rule `contact` (design 3.8): definitions of Cascade for plain numbers, one hand at a time.
+// The rule `contact` (docs/method.md#contact): definitions of Cascade for plain numbers, one hand at a time.
 #pragma once
 
 #include <algorithm>

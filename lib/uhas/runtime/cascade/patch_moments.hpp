@@ -1,4 +1,5 @@
-// The moments of a patch under the deformation of its finger's plane, before the azimuth turns (design 3.7 and 3.8).
+// The moments of a patch under the deformation of its finger's plane, before the azimuth turns
+// (docs/method.md#sums-of-a-patch).
 //
 // Whether a patch stays whole, has vanished or fades in between is decided by its range of polar angles. A whole
 // patch needs no look at its points, one that has vanished has no moments; only a fading patch is visited, several

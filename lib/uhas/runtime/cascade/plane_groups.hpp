@@ -1,5 +1,5 @@
 // The driving planes of the interpolated field: the fingers by azimuth, those that stand closer than 5 degrees as
-// one (design 3.7).
+// one (docs/method.md#the-interpolated-field).
 #pragma once
 
 #include <vector>

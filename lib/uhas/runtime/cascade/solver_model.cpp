@@ -19,7 +19,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Factor on a point's weight for each unknown between it and the joint being solved, in a single pass (design 3.8).
+/// Factor on a point's weight for each unknown between it and the joint being solved, in a single pass
+/// (docs/method.md#decay).
 constexpr double kDecay = 0.5;
 
 /// The joint frame of the solver, whose z is the axis, in the joint frame of the profile.

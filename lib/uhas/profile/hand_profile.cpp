@@ -51,25 +51,11 @@ bool is_sha256(const std::string& hex) {
   return hex.size() == 64 && hex.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
-class ProfileValidator {
+/// What a rule that does not hold is reported with: the file, the dataset and the row.
+class Rules {
  public:
-  ProfileValidator(const HandProfile& profile, const std::string& file) : profile_(profile), file_(file) {}
+  explicit Rules(const std::string& file) : file_(file) {}
 
-  void validate() const {
-    validate_hand();
-    validate_sphere();
-    validate_joints();
-    validate_traits();
-    validate_links();
-    validate_fingers();
-    validate_slots();
-    validate_lateral_tables();
-    validate_driving_tables();
-    validate_correspondences();
-    validate_provenance();
-  }
-
- private:
   void require(bool holds, Field field, const char* rule) const {
     if (holds) return;
     std::string place = field.dataset;
@@ -96,241 +82,250 @@ class ProfileValidator {
     for (std::ptrdiff_t i = 0; i < std::ssize(texts); ++i) require_text(texts[i], {dataset, i});
   }
 
-  void validate_hand() const {
-    require_name(profile_.hand, {"hand/name"});
-    require_name(profile_.palm_link, {"hand/palm_link"});
-    require_name(profile_.root_link, {"hand/root_link"});
-    require(profile_.handedness >= Handedness::none && profile_.handedness <= Handedness::left, {"hand/handedness"},
-            "is not 0, 1 or 2");
-    require(is_rigid(profile_.T_root_palm), {"hand/T_root_palm"}, "is not a rigid transform");
-    require_texts(profile_.other_joints, "hand/other_joints");
-    require_texts(profile_.warnings, "hand/warnings");
-    require_text(profile_.settings_json, {"hand/settings_json"});
-  }
-
-  void validate_sphere() const {
-    require(is_rigid(profile_.T_palm_sphere), {"sphere/T_palm_sphere"}, "is not a rigid transform");
-    require(is_positive(profile_.radius), {"sphere/radius"}, "is outside [1e-6, 1e6]");
-    require(is_positive(profile_.radius_scale), {"sphere/radius_scale"}, "is outside [1e-6, 1e6]");
-    require(is_positive(profile_.mean_tip_distance), {"sphere/mean_tip_distance"}, "is outside [1e-6, 1e6]");
-    require(is_bounded(profile_.palm_center_palm), {"sphere/palm_center_palm"}, "is outside [-1e6, 1e6]");
-    require(is_non_negative(profile_.palm_plane_rms), {"sphere/palm_plane_rms"}, "is outside [0, 1e6]");
-  }
-
-  void validate_joints() const {
-    const std::vector<Joint>& joints = profile_.tree.joints;
-    require(!joints.empty(), {"joints/name"}, "has no row");
-    require_distinct_names(joints, "joints/name");
-    for (std::ptrdiff_t i = 0; i < std::ssize(joints); ++i) {
-      const Joint& joint = joints[i];
-      require(joint.kind >= JointKind::revolute && joint.kind <= JointKind::prismatic, {"joints/kind", i},
-              "is not 0, 1 or 2");
-      require(joint.parent >= -1 && joint.parent < i, {"joints/parent", i}, "is neither -1 nor an earlier joint");
-      require(is_rigid(joint.T_parent_joint), {"joints/T_parent_joint", i}, "is not a rigid transform");
-      require(is_unit(joint.axis), {"joints/axis", i}, "is not a unit vector");
-      require(is_bounded(joint.lower), {"joints/lower", i}, "is outside [-1e6, 1e6]");
-      require(is_bounded(joint.upper), {"joints/upper", i}, "is outside [-1e6, 1e6]");
-      require(joint.lower <= joint.upper, {"joints/upper", i}, "is below joints/lower");
-      require(is_non_negative(joint.velocity_limit), {"joints/velocity_limit", i}, "is outside [0, 1e6]");
-      require(is_index_or_none(joint.mimic_master, joints.size()) && joint.mimic_master != i,
-              {"joints/mimic_master", i}, "is neither -1 nor another joint");
-      require(joint.mimic_master < 0 || joints[joint.mimic_master].mimic_master < 0, {"joints/mimic_master", i},
-              "is a joint that mimics another");
-      require(is_bounded(joint.mimic_multiplier), {"joints/mimic_multiplier", i}, "is outside [-1e6, 1e6]");
-      require(is_bounded(joint.mimic_offset), {"joints/mimic_offset", i}, "is outside [-1e6, 1e6]");
-    }
-  }
-
-  void validate_traits() const {
-    const std::vector<JointTraits>& traits = profile_.joint_traits;
-    require(traits.size() == profile_.tree.joints.size(), {"joints/class"}, "has not one row a joint");
-    for (std::ptrdiff_t i = 0; i < std::ssize(traits); ++i) {
-      const JointTraits& trait = traits[i];
-      require(trait.joint_class == JointClass::lateral || trait.joint_class == JointClass::encompassing,
-              {"joints/class", i}, "is neither 0 nor 1");
-      require(is_non_negative(trait.lateral_motion), {"joints/lateral_motion", i}, "is outside [0, 1e6]");
-      require(is_non_negative(trait.encompassing_motion), {"joints/encompassing_motion", i}, "is outside [0, 1e6]");
-      require(trait.margin >= 0 && trait.margin <= 1, {"joints/margin", i}, "is outside [0, 1]");
-    }
-    validate_posture("joints/q_open", &JointTraits::q_open);
-    validate_posture("joints/q_sphere", &JointTraits::q_sphere);
-    validate_posture("joints/q_closed", &JointTraits::q_closed);
-  }
-
-  /// Independent joints stand within their limits; a follower stands where its master puts it, limits or not.
-  void validate_posture(const char* dataset, double JointTraits::*posture) const {
-    const std::vector<Joint>& joints = profile_.tree.joints;
-    for (std::ptrdiff_t i = 0; i < std::ssize(joints); ++i) {
-      const double q = profile_.joint_traits[i].*posture;
-      if (joints[i].mimic_master < 0) {
-        require(q >= joints[i].lower && q <= joints[i].upper, {dataset, i}, "is outside the joint's limits");
-      } else {
-        const double q_master = profile_.joint_traits[joints[i].mimic_master].*posture;
-        const double followed = joints[i].mimic_multiplier * q_master + joints[i].mimic_offset;
-        require(std::abs(q - followed) <= posture_tolerance, {dataset, i}, "does not follow the joint's master");
-      }
-    }
-  }
-
-  void validate_links() const {
-    require_distinct_names(profile_.links, "links/name");
-    for (std::ptrdiff_t i = 0; i < std::ssize(profile_.links); ++i) {
-      const ProfileLink& link = profile_.links[i];
-      require(is_index_or_none(link.joint, profile_.tree.joints.size()), {"links/joint", i},
-              "is neither -1 nor a joint");
-      require(is_rigid(link.T_joint_link), {"links/T_joint_link", i}, "is not a rigid transform");
-    }
-  }
-
-  void validate_fingers() const {
-    require(!profile_.fingers.empty(), {"fingers/name"}, "has no row");
-    require_distinct_names(profile_.fingers, "fingers/name");
-    for (std::ptrdiff_t i = 0; i < std::ssize(profile_.fingers); ++i) {
-      const ProfileFinger& finger = profile_.fingers[i];
-      validate_chain(finger.joints, {"fingers/joints", i});
-      require(is_index(finger.tip_link, profile_.links.size()), {"fingers/tip_link", i}, "is not a link");
-      require(profile_.links[finger.tip_link].joint == finger.joints.back(), {"fingers/tip_link", i},
-              "is not carried by the finger's last joint");
-      require(is_bounded(finger.p_tip_link), {"fingers/p_tip_link", i}, "is outside [-1e6, 1e6]");
-      require(is_unit(finger.pad_normal_link), {"fingers/pad_normal_link", i}, "is not a unit vector");
-      require(is_positive(finger.tip_distance), {"fingers/tip_distance", i}, "is outside [1e-6, 1e6]");
-      require(is_azimuth(finger.theta_initial), {"fingers/theta_initial", i}, "is outside (-pi, pi]");
-      require(is_polar_angle(finger.tip_phi), {"fingers/tip_phi", i}, "is outside [0, pi]");
-      require(is_index_or_none(finger.lateral_table, profile_.lateral_tables.size()), {"fingers/lateral_table", i},
-              "is neither -1 nor a lateral table");
-    }
-  }
-
-  /// Root to tip: each joint after the first is carried by the one before it.
-  void validate_chain(const std::vector<int>& chain, Field field) const {
-    require(!chain.empty(), field, "has no joint");
-    for (std::size_t k = 0; k < chain.size(); ++k) {
-      require(is_index(chain[k], profile_.tree.joints.size()), field, "names a joint that does not exist");
-      require(k == 0 || profile_.tree.joints[chain[k]].parent == chain[k - 1], field,
-              "is not a chain from root to tip");
-    }
-  }
-
-  void validate_slots() const {
-    std::array<int, kSlotCount> owners{};
-    int previous_first_slot = -1;
-    for (std::ptrdiff_t i = 0; i < std::ssize(profile_.fingers); ++i) {
-      const auto& slots = profile_.fingers[i].slots;
-      for (int slot = 0; slot < kSlotCount; ++slot) owners[slot] += slots[slot];
-      const auto first_slot = static_cast<int>(std::find(slots.begin(), slots.end(), true) - slots.begin());
-      require(first_slot < kSlotCount, {"fingers/slots", i}, "owns no slot");
-      require(first_slot >= previous_first_slot, {"fingers/slots", i}, "begins before the row above it");
-      previous_first_slot = first_slot;
-    }
-    for (const int owner_count : owners) require(owner_count > 0, {"fingers/slots"}, "leaves a slot without a finger");
-  }
-
-  void validate_lateral_tables() const {
-    for (std::ptrdiff_t i = 0; i < std::ssize(profile_.lateral_tables); ++i) {
-      const LateralTable& table = profile_.lateral_tables[i];
-      require(is_index(table.joint, profile_.tree.joints.size()), {"lateral_tables/joint", i}, "is not a joint");
-      require(profile_.tree.joints[table.joint].mimic_master < 0, {"lateral_tables/joint", i}, "mimics another joint");
-      require(profile_.joint_traits[table.joint].joint_class == JointClass::lateral, {"lateral_tables/joint", i},
-              "is not a lateral joint");
-      validate_forward_table(table, i);
-      validate_inverse_table(table, i);
-    }
-  }
-
-  void validate_forward_table(const LateralTable& table, std::ptrdiff_t i) const {
-    const Joint& joint = profile_.tree.joints[table.joint];
-    const std::size_t n = table.q.size();
-    require(n >= 2, {"lateral_tables/q", i}, "has fewer than two values");
-    require(table.theta.size() == n, {"lateral_tables/theta", i}, "has not as many values as lateral_tables/q");
-    require(all_within(table.q, joint.lower, joint.upper), {"lateral_tables/q", i}, "leaves the joint's limits");
-    require(all_within(table.theta, -largest, largest), {"lateral_tables/theta", i}, "is outside [-1e6, 1e6]");
-    const double step = (table.q.back() - table.q.front()) / static_cast<double>(n - 1);
-    require(step > 0, {"lateral_tables/q", i}, "does not increase");
-    const bool rises = table.theta.back() > table.theta.front();
-    for (std::size_t k = 1; k < n; ++k) {
-      require(std::abs(table.q[k] - table.q[k - 1] - step) <= unit_tolerance * step, {"lateral_tables/q", i},
-              "does not increase in uniform steps");
-      require(rises ? table.theta[k] > table.theta[k - 1] : table.theta[k] < table.theta[k - 1],
-              {"lateral_tables/theta", i}, "is not strictly monotone");
-    }
-    require(table.neutral >= table.q.front() && table.neutral <= table.q.back(), {"lateral_tables/neutral", i},
-            "is outside lateral_tables/q");
-    const auto [lowest, highest] = std::minmax(table.theta.front(), table.theta.back());
-    require(table.theta_initial >= lowest && table.theta_initial <= highest, {"lateral_tables/theta_initial", i},
-            "is outside lateral_tables/theta");
-  }
-
-  void validate_inverse_table(const LateralTable& table, std::ptrdiff_t i) const {
-    require(is_bounded(table.delta_theta_lower) && table.delta_theta_lower <= 0,
-            {"lateral_tables/delta_theta_lower", i}, "is outside [-1e6, 0]");
-    require(is_bounded(table.delta_theta_upper) && table.delta_theta_upper >= 0,
-            {"lateral_tables/delta_theta_upper", i}, "is outside [0, 1e6]");
-    const std::size_t n = table.inverse_q.size();
-    require(n >= 3 && n % 2 == 1, {"lateral_tables/inverse_q", i}, "has not an odd number of at least three values");
-    require(all_within(table.inverse_q, table.q.front(), table.q.back()), {"lateral_tables/inverse_q", i},
-            "leaves the range of lateral_tables/q");
-    require(std::bit_cast<std::uint64_t>(table.inverse_q[n / 2]) == std::bit_cast<std::uint64_t>(table.neutral),
-            {"lateral_tables/inverse_q", i}, "does not hold lateral_tables/neutral in its middle");
-    const bool rises = table.theta.back() > table.theta.front();
-    require(rises ? std::is_sorted(table.inverse_q.begin(), table.inverse_q.end())
-                  : std::is_sorted(table.inverse_q.rbegin(), table.inverse_q.rend()),
-            {"lateral_tables/inverse_q", i}, "does not run the way of lateral_tables/theta");
-  }
-
-  /// A finger's table drives one of the finger's own joints, and leaves it at q_sphere for a zero action.
-  void validate_driving_tables() const {
-    for (std::ptrdiff_t i = 0; i < std::ssize(profile_.fingers); ++i) {
-      const ProfileFinger& finger = profile_.fingers[i];
-      if (finger.lateral_table < 0) continue;
-      const LateralTable& table = profile_.lateral_tables[finger.lateral_table];
-      require(std::find(finger.joints.begin(), finger.joints.end(), table.joint) != finger.joints.end(),
-              {"fingers/lateral_table", i}, "is the table of another finger's joint");
-      require(std::abs(table.neutral - profile_.joint_traits[table.joint].q_sphere) <= posture_tolerance,
-              {"lateral_tables/neutral", finger.lateral_table}, "differs from the joint's joints/q_sphere");
-    }
-  }
-
-  void validate_correspondences() const {
-    int previous_link = 0;
-    for (std::ptrdiff_t i = 0; i < std::ssize(profile_.correspondences); ++i) {
-      const Correspondence& point = profile_.correspondences[i];
-      require(is_index(point.link, profile_.links.size()), {"correspondences/link", i}, "is not a link");
-      require(point.link >= previous_link, {"correspondences/link", i},
-              "is below the row above it: not sorted by link");
-      require(is_bounded(point.p_link), {"correspondences/p_link", i}, "is outside [-1e6, 1e6]");
-      require(is_unit(point.normal_link), {"correspondences/normal_link", i}, "is not a unit vector");
-      require(is_azimuth(point.theta), {"correspondences/theta", i}, "is outside (-pi, pi]");
-      require(is_polar_angle(point.phi), {"correspondences/phi", i}, "is outside [0, pi]");
-      require(is_positive(point.rho), {"correspondences/rho", i}, "is outside [1e-6, 1e6]");
-      require(is_non_negative(point.weight), {"correspondences/weight", i}, "is outside [0, 1e6]");
-      previous_link = point.link;
-    }
-  }
-
-  void validate_provenance() const {
-    for (std::ptrdiff_t i = 0; i < std::ssize(profile_.findings); ++i) {
-      const HandFinding& finding = profile_.findings[i];
-      require_name(finding.item, {"findings/item", i});
-      require_text(finding.value, {"findings/value", i});
-      require_text(finding.reason, {"findings/reason", i});
-      require(finding.confidence >= 0 && finding.confidence <= 1, {"findings/confidence", i}, "is outside [0, 1]");
-    }
-    for (std::ptrdiff_t i = 0; i < std::ssize(profile_.sources); ++i) {
-      const SourceFile& source = profile_.sources[i];
-      require_name(source.name, {"sources/name", i});
-      require(source.name.front() != '/', {"sources/name", i}, "is an absolute path");
-      require(is_sha256(source.sha256), {"sources/sha256", i}, "is not 64 lower-case hexadecimal digits");
-    }
-  }
-
-  const HandProfile& profile_;
+ private:
   const std::string& file_;
 };
+
+void validate_hand(const HandProfile& profile, const Rules& rules) {
+  rules.require_name(profile.hand, {"hand/name"});
+  rules.require_name(profile.palm_link, {"hand/palm_link"});
+  rules.require_name(profile.root_link, {"hand/root_link"});
+  rules.require(profile.handedness >= Handedness::none && profile.handedness <= Handedness::left, {"hand/handedness"},
+                "is not 0, 1 or 2");
+  rules.require(is_rigid(profile.T_root_palm), {"hand/T_root_palm"}, "is not a rigid transform");
+  rules.require_texts(profile.other_joints, "hand/other_joints");
+  rules.require_texts(profile.warnings, "hand/warnings");
+  rules.require_text(profile.settings_json, {"hand/settings_json"});
+}
+
+void validate_sphere(const HandProfile& profile, const Rules& rules) {
+  rules.require(is_rigid(profile.T_palm_sphere), {"sphere/T_palm_sphere"}, "is not a rigid transform");
+  rules.require(is_positive(profile.radius), {"sphere/radius"}, "is outside [1e-6, 1e6]");
+  rules.require(is_positive(profile.radius_scale), {"sphere/radius_scale"}, "is outside [1e-6, 1e6]");
+  rules.require(is_positive(profile.mean_tip_distance), {"sphere/mean_tip_distance"}, "is outside [1e-6, 1e6]");
+  rules.require(is_bounded(profile.palm_center_palm), {"sphere/palm_center_palm"}, "is outside [-1e6, 1e6]");
+  rules.require(is_non_negative(profile.palm_plane_rms), {"sphere/palm_plane_rms"}, "is outside [0, 1e6]");
+}
+
+void validate_joints(const HandProfile& profile, const Rules& rules) {
+  const std::vector<Joint>& joints = profile.tree.joints;
+  rules.require(!joints.empty(), {"joints/name"}, "has no row");
+  rules.require_distinct_names(joints, "joints/name");
+  for (std::ptrdiff_t i = 0; i < std::ssize(joints); ++i) {
+    const Joint& joint = joints[i];
+    rules.require(joint.kind >= JointKind::revolute && joint.kind <= JointKind::prismatic, {"joints/kind", i},
+                  "is not 0, 1 or 2");
+    rules.require(joint.parent >= -1 && joint.parent < i, {"joints/parent", i}, "is neither -1 nor an earlier joint");
+    rules.require(is_rigid(joint.T_parent_joint), {"joints/T_parent_joint", i}, "is not a rigid transform");
+    rules.require(is_unit(joint.axis), {"joints/axis", i}, "is not a unit vector");
+    rules.require(is_bounded(joint.lower), {"joints/lower", i}, "is outside [-1e6, 1e6]");
+    rules.require(is_bounded(joint.upper), {"joints/upper", i}, "is outside [-1e6, 1e6]");
+    rules.require(joint.lower <= joint.upper, {"joints/upper", i}, "is below joints/lower");
+    rules.require(is_non_negative(joint.velocity_limit), {"joints/velocity_limit", i}, "is outside [0, 1e6]");
+    rules.require(is_index_or_none(joint.mimic_master, joints.size()) && joint.mimic_master != i,
+                  {"joints/mimic_master", i}, "is neither -1 nor another joint");
+    rules.require(joint.mimic_master < 0 || joints[joint.mimic_master].mimic_master < 0, {"joints/mimic_master", i},
+                  "is a joint that mimics another");
+    rules.require(is_bounded(joint.mimic_multiplier), {"joints/mimic_multiplier", i}, "is outside [-1e6, 1e6]");
+    rules.require(is_bounded(joint.mimic_offset), {"joints/mimic_offset", i}, "is outside [-1e6, 1e6]");
+  }
+}
+
+/// Independent joints stand within their limits; a follower stands where its master puts it, limits or not.
+void validate_posture(const HandProfile& profile, const Rules& rules, const char* dataset,
+                      double JointTraits::*posture) {
+  const std::vector<Joint>& joints = profile.tree.joints;
+  for (std::ptrdiff_t i = 0; i < std::ssize(joints); ++i) {
+    const double q = profile.joint_traits[i].*posture;
+    if (joints[i].mimic_master < 0) {
+      rules.require(q >= joints[i].lower && q <= joints[i].upper, {dataset, i}, "is outside the joint's limits");
+    } else {
+      const double q_master = profile.joint_traits[joints[i].mimic_master].*posture;
+      const double followed = joints[i].mimic_multiplier * q_master + joints[i].mimic_offset;
+      rules.require(std::abs(q - followed) <= posture_tolerance, {dataset, i}, "does not follow the joint's master");
+    }
+  }
+}
+
+void validate_traits(const HandProfile& profile, const Rules& rules) {
+  const std::vector<JointTraits>& traits = profile.joint_traits;
+  rules.require(traits.size() == profile.tree.joints.size(), {"joints/class"}, "has not one row a joint");
+  for (std::ptrdiff_t i = 0; i < std::ssize(traits); ++i) {
+    const JointTraits& trait = traits[i];
+    rules.require(trait.joint_class == JointClass::lateral || trait.joint_class == JointClass::encompassing,
+                  {"joints/class", i}, "is neither 0 nor 1");
+    rules.require(is_non_negative(trait.lateral_motion), {"joints/lateral_motion", i}, "is outside [0, 1e6]");
+    rules.require(is_non_negative(trait.encompassing_motion), {"joints/encompassing_motion", i}, "is outside [0, 1e6]");
+    rules.require(trait.margin >= 0 && trait.margin <= 1, {"joints/margin", i}, "is outside [0, 1]");
+  }
+  validate_posture(profile, rules, "joints/q_open", &JointTraits::q_open);
+  validate_posture(profile, rules, "joints/q_sphere", &JointTraits::q_sphere);
+  validate_posture(profile, rules, "joints/q_closed", &JointTraits::q_closed);
+}
+
+void validate_links(const HandProfile& profile, const Rules& rules) {
+  rules.require_distinct_names(profile.links, "links/name");
+  for (std::ptrdiff_t i = 0; i < std::ssize(profile.links); ++i) {
+    const ProfileLink& link = profile.links[i];
+    rules.require(is_index_or_none(link.joint, profile.tree.joints.size()), {"links/joint", i},
+                  "is neither -1 nor a joint");
+    rules.require(is_rigid(link.T_joint_link), {"links/T_joint_link", i}, "is not a rigid transform");
+  }
+}
+
+/// Root to tip: each joint after the first is carried by the one before it.
+void validate_chain(const HandProfile& profile, const Rules& rules, const std::vector<int>& chain, Field field) {
+  rules.require(!chain.empty(), field, "has no joint");
+  for (std::size_t k = 0; k < chain.size(); ++k) {
+    rules.require(is_index(chain[k], profile.tree.joints.size()), field, "names a joint that does not exist");
+    rules.require(k == 0 || profile.tree.joints[chain[k]].parent == chain[k - 1], field,
+                  "is not a chain from root to tip");
+  }
+}
+
+void validate_fingers(const HandProfile& profile, const Rules& rules) {
+  rules.require(!profile.fingers.empty(), {"fingers/name"}, "has no row");
+  rules.require_distinct_names(profile.fingers, "fingers/name");
+  for (std::ptrdiff_t i = 0; i < std::ssize(profile.fingers); ++i) {
+    const ProfileFinger& finger = profile.fingers[i];
+    validate_chain(profile, rules, finger.joints, {"fingers/joints", i});
+    rules.require(is_index(finger.tip_link, profile.links.size()), {"fingers/tip_link", i}, "is not a link");
+    rules.require(profile.links[finger.tip_link].joint == finger.joints.back(), {"fingers/tip_link", i},
+                  "is not carried by the finger's last joint");
+    rules.require(is_bounded(finger.p_tip_link), {"fingers/p_tip_link", i}, "is outside [-1e6, 1e6]");
+    rules.require(is_unit(finger.pad_normal_link), {"fingers/pad_normal_link", i}, "is not a unit vector");
+    rules.require(is_positive(finger.tip_distance), {"fingers/tip_distance", i}, "is outside [1e-6, 1e6]");
+    rules.require(is_azimuth(finger.theta_initial), {"fingers/theta_initial", i}, "is outside (-pi, pi]");
+    rules.require(is_polar_angle(finger.tip_phi), {"fingers/tip_phi", i}, "is outside [0, pi]");
+    rules.require(is_index_or_none(finger.lateral_table, profile.lateral_tables.size()), {"fingers/lateral_table", i},
+                  "is neither -1 nor a lateral table");
+  }
+}
+
+void validate_slots(const HandProfile& profile, const Rules& rules) {
+  std::array<int, kSlotCount> owners{};
+  int previous_first_slot = -1;
+  for (std::ptrdiff_t i = 0; i < std::ssize(profile.fingers); ++i) {
+    const auto& slots = profile.fingers[i].slots;
+    for (int slot = 0; slot < kSlotCount; ++slot) owners[slot] += slots[slot];
+    const auto first_slot = static_cast<int>(std::find(slots.begin(), slots.end(), true) - slots.begin());
+    rules.require(first_slot < kSlotCount, {"fingers/slots", i}, "owns no slot");
+    rules.require(first_slot >= previous_first_slot, {"fingers/slots", i}, "begins before the row above it");
+    previous_first_slot = first_slot;
+  }
+  for (const int owner_count : owners)
+    rules.require(owner_count > 0, {"fingers/slots"}, "leaves a slot without a finger");
+}
+
+void validate_forward_table(const HandProfile& profile, const Rules& rules, const LateralTable& table,
+                            std::ptrdiff_t i) {
+  const Joint& joint = profile.tree.joints[table.joint];
+  const std::size_t n = table.q.size();
+  rules.require(n >= 2, {"lateral_tables/q", i}, "has fewer than two values");
+  rules.require(table.theta.size() == n, {"lateral_tables/theta", i}, "has not as many values as lateral_tables/q");
+  rules.require(all_within(table.q, joint.lower, joint.upper), {"lateral_tables/q", i}, "leaves the joint's limits");
+  rules.require(all_within(table.theta, -largest, largest), {"lateral_tables/theta", i}, "is outside [-1e6, 1e6]");
+  const double step = (table.q.back() - table.q.front()) / static_cast<double>(n - 1);
+  rules.require(step > 0, {"lateral_tables/q", i}, "does not increase");
+  const bool rises = table.theta.back() > table.theta.front();
+  for (std::size_t k = 1; k < n; ++k) {
+    rules.require(std::abs(table.q[k] - table.q[k - 1] - step) <= unit_tolerance * step, {"lateral_tables/q", i},
+                  "does not increase in uniform steps");
+    rules.require(rises ? table.theta[k] > table.theta[k - 1] : table.theta[k] < table.theta[k - 1],
+                  {"lateral_tables/theta", i}, "is not strictly monotone");
+  }
+  rules.require(table.neutral >= table.q.front() && table.neutral <= table.q.back(), {"lateral_tables/neutral", i},
+                "is outside lateral_tables/q");
+  const auto [lowest, highest] = std::minmax(table.theta.front(), table.theta.back());
+  rules.require(table.theta_initial >= lowest && table.theta_initial <= highest, {"lateral_tables/theta_initial", i},
+                "is outside lateral_tables/theta");
+}
+
+void validate_inverse_table(const Rules& rules, const LateralTable& table, std::ptrdiff_t i) {
+  rules.require(is_bounded(table.delta_theta_lower) && table.delta_theta_lower <= 0,
+                {"lateral_tables/delta_theta_lower", i}, "is outside [-1e6, 0]");
+  rules.require(is_bounded(table.delta_theta_upper) && table.delta_theta_upper >= 0,
+                {"lateral_tables/delta_theta_upper", i}, "is outside [0, 1e6]");
+  const std::size_t n = table.inverse_q.size();
+  rules.require(n >= 3 && n % 2 == 1, {"lateral_tables/inverse_q", i},
+                "has not an odd number of at least three values");
+  rules.require(all_within(table.inverse_q, table.q.front(), table.q.back()), {"lateral_tables/inverse_q", i},
+                "leaves the range of lateral_tables/q");
+  rules.require(std::bit_cast<std::uint64_t>(table.inverse_q[n / 2]) == std::bit_cast<std::uint64_t>(table.neutral),
+                {"lateral_tables/inverse_q", i}, "does not hold lateral_tables/neutral in its middle");
+  const bool rises = table.theta.back() > table.theta.front();
+  rules.require(rises ? std::is_sorted(table.inverse_q.begin(), table.inverse_q.end())
+                      : std::is_sorted(table.inverse_q.rbegin(), table.inverse_q.rend()),
+                {"lateral_tables/inverse_q", i}, "does not run the way of lateral_tables/theta");
+}
+
+void validate_lateral_tables(const HandProfile& profile, const Rules& rules) {
+  for (std::ptrdiff_t i = 0; i < std::ssize(profile.lateral_tables); ++i) {
+    const LateralTable& table = profile.lateral_tables[i];
+    rules.require(is_index(table.joint, profile.tree.joints.size()), {"lateral_tables/joint", i}, "is not a joint");
+    rules.require(profile.tree.joints[table.joint].mimic_master < 0, {"lateral_tables/joint", i},
+                  "mimics another joint");
+    rules.require(profile.joint_traits[table.joint].joint_class == JointClass::lateral, {"lateral_tables/joint", i},
+                  "is not a lateral joint");
+    validate_forward_table(profile, rules, table, i);
+    validate_inverse_table(rules, table, i);
+  }
+}
+
+/// A finger's table drives one of the finger's own joints, and leaves it at q_sphere for a zero action.
+void validate_driving_tables(const HandProfile& profile, const Rules& rules) {
+  for (std::ptrdiff_t i = 0; i < std::ssize(profile.fingers); ++i) {
+    const ProfileFinger& finger = profile.fingers[i];
+    if (finger.lateral_table < 0) continue;
+    const LateralTable& table = profile.lateral_tables[finger.lateral_table];
+    rules.require(std::find(finger.joints.begin(), finger.joints.end(), table.joint) != finger.joints.end(),
+                  {"fingers/lateral_table", i}, "is the table of another finger's joint");
+    rules.require(std::abs(table.neutral - profile.joint_traits[table.joint].q_sphere) <= posture_tolerance,
+                  {"lateral_tables/neutral", finger.lateral_table}, "differs from the joint's joints/q_sphere");
+  }
+}
+
+void validate_correspondences(const HandProfile& profile, const Rules& rules) {
+  int previous_link = 0;
+  for (std::ptrdiff_t i = 0; i < std::ssize(profile.correspondences); ++i) {
+    const Correspondence& point = profile.correspondences[i];
+    rules.require(is_index(point.link, profile.links.size()), {"correspondences/link", i}, "is not a link");
+    rules.require(point.link >= previous_link, {"correspondences/link", i},
+                  "is below the row above it: not sorted by link");
+    rules.require(is_bounded(point.p_link), {"correspondences/p_link", i}, "is outside [-1e6, 1e6]");
+    rules.require(is_unit(point.normal_link), {"correspondences/normal_link", i}, "is not a unit vector");
+    rules.require(is_azimuth(point.theta), {"correspondences/theta", i}, "is outside (-pi, pi]");
+    rules.require(is_polar_angle(point.phi), {"correspondences/phi", i}, "is outside [0, pi]");
+    rules.require(is_positive(point.rho), {"correspondences/rho", i}, "is outside [1e-6, 1e6]");
+    rules.require(is_non_negative(point.weight), {"correspondences/weight", i}, "is outside [0, 1e6]");
+    previous_link = point.link;
+  }
+}
+
+void validate_provenance(const HandProfile& profile, const Rules& rules) {
+  for (std::ptrdiff_t i = 0; i < std::ssize(profile.findings); ++i) {
+    const HandFinding& finding = profile.findings[i];
+    rules.require_name(finding.item, {"findings/item", i});
+    rules.require_text(finding.value, {"findings/value", i});
+    rules.require_text(finding.reason, {"findings/reason", i});
+    rules.require(finding.confidence >= 0 && finding.confidence <= 1, {"findings/confidence", i}, "is outside [0, 1]");
+  }
+  for (std::ptrdiff_t i = 0; i < std::ssize(profile.sources); ++i) {
+    const SourceFile& source = profile.sources[i];
+    rules.require_name(source.name, {"sources/name", i});
+    rules.require(source.name.front() != '/', {"sources/name", i}, "is an absolute path");
+    rules.require(is_sha256(source.sha256), {"sources/sha256", i}, "is not 64 lower-case hexadecimal digits");
+  }
+}
 
 }  // namespace
 
 void validate_profile(const HandProfile& profile, const std::string& file) {
-  ProfileValidator(profile, file).validate();
+  const Rules rules(file);
+  for (const auto& validate : {validate_hand, validate_sphere, validate_joints, validate_traits, validate_links,
+                               validate_fingers, validate_slots, validate_lateral_tables, validate_driving_tables,
+                               validate_correspondences, validate_provenance})
+    validate(profile, rules);
 }
 
 }  // namespace uhas

@@ -11,7 +11,7 @@ namespace uhas {
 
 // clang-format off
 /// Shows `archive` every dataset of `profile` in turn: `value` holds one field, `table` one row an element of a vector,
-/// with a dataset for each column. `Profile` is HandProfile, constant for a writer.
+/// with a dataset for each column. `Profile` is HandProfile, constant for a writer. In one piece: it is the list of datasets.
 template <class Archive, class Profile>
 void visit_layout(Archive& archive, Profile& p) {
   archive.value("hand", Column{"name", "", &HandProfile::hand}, p);

@@ -1,9 +1,9 @@
-// From an action's numbers to the deformation of each finger's plane: denormalise, clamp, average shared
-// slots (docs/conventions.md#the-action).
+// From an action's numbers to the deformation of each finger's plane: denormalise, clamp, average shared slots
+// (docs/method.md#driving-planes).
 #pragma once
 
-#include <cmath>
-#include <numbers>
+#include <array>
+#include <span>
 #include <vector>
 
 #include "uhas/base/errors.hpp"
@@ -14,6 +14,9 @@ namespace uhas {
 
 /// Radial bounds are at most so far from 0: squares of what follows from them stay finite in float.
 inline constexpr double kMostRadialBound = 1e6;
+
+/// Throws Error: invalid_action for numbers of the convention out of range.
+void check_convention(const ActionConvention& convention);
 
 /// The numbers of an action that has passed `ActionDecoder::check`, one action a lane.
 template <class Num>
@@ -37,68 +40,19 @@ const Real* data_or_null(std::span<const Real> numbers) noexcept {
 template <class Real>
 class ActionDecoder {
  public:
-  explicit ActionDecoder(const HandProfile& profile, const ActionConvention& convention = {})
-      : convention_(convention) {
-    for (const ProfileFinger& finger : profile.fingers) {
-      Owner owner{};
-      for (int slot = 0; slot < kSlotCount; ++slot)
-        if (finger.slots[slot]) owner.slots[owner.slot_count++] = slot;
-      owner.share = Real(1) / Real(owner.slot_count);
-      if (finger.lateral_table >= 0) {
-        owner.lower = static_cast<Real>(profile.lateral_tables[finger.lateral_table].delta_theta_lower);
-        owner.upper = static_cast<Real>(profile.lateral_tables[finger.lateral_table].delta_theta_upper);
-      }
-      owners_.push_back(owner);
-    }
-    for (int vectors = 1; vectors <= kMaxDrivingVectors; ++vectors)
-      for (int j = 0; j < vectors; ++j)
-        default_phi_[vectors - 1][j] = std::numbers::pi_v<Real> * Real(j + 1) / Real(vectors + 1);
-  }
+  /// @param profile, convention  that `validate_profile` and `check_convention` let pass
+  explicit ActionDecoder(const HandProfile& profile, const ActionConvention& convention = {});
 
   /// Whether an action of `size` numbers can be decoded; the number of its driving vectors, 0 if not.
-  static int vectors_of(std::size_t size) noexcept {
-    for (int vectors = 1; vectors <= kMaxDrivingVectors; ++vectors)
-      if (size == std::size_t(kSlotCount * (1 + vectors))) return vectors;
-    return 0;
-  }
+  static int vectors_of(std::size_t size) noexcept;
 
   /// What solving `action` would be refused for.
-  static Status check(const Action<Real>& action) noexcept {
-    const int vectors = vectors_of(action.values.size());
-    if (vectors == 0) return Status::wrong_size;
-    for (Real value : action.values)
-      if (!std::isfinite(value)) return Status::non_finite_input;
-    if (const Status status = check_offsets(action.azimuth_offsets); status != Status::ok) return status;
-    if (const Status status = check_bounds(action.radial_bounds); status != Status::ok) return status;
-    return check_angles(action.driving_vectors_phi, vectors);
-  }
+  static Status check(const Action<Real>& action) noexcept;
 
-  /// The same for azimuth offsets and for radial bounds alone.
-  static Status check_offsets(std::span<const Real> offsets) noexcept {
-    if (!offsets.empty() && offsets.size() != kSlotCount) return Status::wrong_size;
-    for (Real offset : offsets)
-      if (!std::isfinite(offset)) return Status::non_finite_input;
-    return Status::ok;
-  }
-  static Status check_bounds(std::span<const Real> bounds) noexcept {
-    if (bounds.empty()) return Status::ok;
-    if (bounds.size() != 2) return Status::wrong_size;
-    if (!std::isfinite(bounds[0]) || !std::isfinite(bounds[1])) return Status::non_finite_input;
-    constexpr Real most(kMostRadialBound);
-    const bool sound = bounds[0] >= -most && bounds[0] <= Real(0) && bounds[1] >= Real(0) && bounds[1] <= most;
-    return sound ? Status::ok : Status::invalid_radial_bounds;
-  }
-
-  /// The same for driving angles alone.
-  static Status check_angles(std::span<const Real> phi, int vectors) noexcept {
-    if (!phi.empty() && phi.size() != std::size_t(vectors) && phi.size() != std::size_t(kSlotCount * vectors))
-      return Status::wrong_size;
-    for (std::size_t i = 0; i < phi.size(); ++i) {
-      const Real before = i % vectors == 0 ? Real(0) : phi[i - 1];
-      if (!(phi[i] > before) || !(phi[i] < std::numbers::pi_v<Real>)) return Status::invalid_driving_vectors;
-    }
-    return Status::ok;
-  }
+  /// The same for azimuth offsets, for radial bounds and for driving angles alone.
+  static Status check_offsets(std::span<const Real> offsets) noexcept;
+  static Status check_bounds(std::span<const Real> bounds) noexcept;
+  static Status check_angles(std::span<const Real> phi, int vectors) noexcept;
 
   /// The numbers of an action that has passed `check`.
   static ActionNumbers<Real> numbers_of(const Action<Real>& action) noexcept {
@@ -115,32 +69,36 @@ class ActionDecoder {
   template <class Num>
   void decode(const ActionNumbers<Num>& action, PlaneDeformation<Num>* planes) const noexcept {
     const int vectors = action.vectors;
+    // what the convention and the call say of all slots: bounds, the input of the undeformed sphere, the azimuth's sign
     const bool own_bounds = action.radial_bounds != nullptr;
     const Num lowest = own_bounds ? action.radial_bounds[0] : Num(Real(convention_.radial_lower));
     const Num highest = own_bounds ? action.radial_bounds[1] : Num(Real(convention_.radial_upper));
-    const Num at_rest(convention_.absolute_radii ? Real(1)
-                                                 : Real(0));  // a radial input that leaves the sphere as it is
+    const Num at_rest(convention_.absolute_radii ? Real(1) : Real(0));
     const Num sign(Real(convention_.azimuth_sign));
     for (std::size_t f = 0; f < owners_.size(); ++f) {
       const Owner& owner = owners_[f];
       PlaneDeformation<Num>& plane = planes[f];
+      // begin the sums over the finger's slots
       plane.vectors = vectors;
       plane.delta_theta = Num(0);
       for (int j = 0; j < vectors; ++j) plane.delta_r[j] = plane.phi[j] = Num(0);
       plane.common_angles = action.angles == 0 || action.common_phi;
       for (int n = 0; n < owner.slot_count; ++n) {
         const int slot = owner.slots[n];
+        // azimuth: bounded, turned on by an offset, bounded again
         const Num lower(owner.lower), upper(owner.upper);
         Num delta_theta = bounded(sign * action.values[slot], lower, upper, action.normalized);
         if (action.azimuth_offsets != nullptr)
           delta_theta = clamp(delta_theta + action.azimuth_offsets[slot], lower, upper);
         plane.delta_theta += delta_theta;
+        // displacements at the driving vectors: bounded, counted from the undeformed sphere
         for (int j = 0; j < vectors; ++j) {
           const Num& input = action.values[kSlotCount + vectors * slot + j];
           plane.delta_r[j] += bounded(input, lowest, highest, action.normalized) - at_rest;
           if (action.angles != 0) plane.phi[j] += action.phi[(action.angles == vectors ? 0 : vectors * slot) + j];
         }
       }
+      // their mean, and all that follows from it
       const Num share(owner.share);
       plane.delta_theta *= share;
       for (int j = 0; j < vectors; ++j) {
@@ -166,8 +124,11 @@ class ActionDecoder {
   }
 
   ActionConvention convention_;
-  std::vector<Owner> owners_;
+  std::vector<Owner> owners_;                                                           // [finger]
   std::array<std::array<Real, kMaxDrivingVectors>, kMaxDrivingVectors> default_phi_{};  // [V - 1][j]
 };
+
+extern template class ActionDecoder<float>;
+extern template class ActionDecoder<double>;
 
 }  // namespace uhas

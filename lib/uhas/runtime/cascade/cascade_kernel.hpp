@@ -19,7 +19,7 @@ JointValue<Num> choose(MaskOf<Num> mask, const JointValue<Num>& a, const JointVa
 
 template <class Num, class Wide>
 Cascade<Num, Wide>::Cascade(const Model& model)
-    : planes(model.tip_joint.size()), group_planes_(model.plane_groups.fingers.size()), joints_(model.joints.size()) {}
+    : planes(model.tips.size()), group_planes_(model.plane_groups.fingers.size()), joints_(model.joints.size()) {}
 
 template <class Num, class Wide>
 void Cascade<Num, Wide>::run(const Model& model) noexcept {
@@ -38,7 +38,8 @@ void Cascade<Num, Wide>::run(const Model& model) noexcept {
 // the plane that a finger's lateral joint and its contacts follow
 template <class Num, class Wide>
 const PlaneDeformation<Num>& Cascade<Num, Wide>::plane_of(const Model& model, int finger) const noexcept {
-  return model.options.field == FieldReading::finger ? planes[finger] : group_planes_[model.group_of_finger[finger]];
+  return model.options.field == FieldReading::finger ? planes[finger]
+                                                     : group_planes_[model.plane_groups.of_finger[finger]];
 }
 
 template <class Num, class Wide>
@@ -54,7 +55,7 @@ void Cascade<Num, Wide>::set_unknown(const Model& model, const SolverStep& step,
   if (step.single) return;
   for (int i : step.driven) {
     const SolverJoint<Real>& joint = model.joints[i];
-    if (i != step.joint) joints_[i].set(joint.value(Num(joint.multiplier) * value.q + Num(joint.offset)));
+    if (i != step.joint) joints_[i].set(joint.value(joint.followed(value.q)));
   }
 }
 
@@ -65,7 +66,7 @@ void Cascade<Num, Wide>::begin_joints(const Model& model, const SolverPart& part
   const SolverJoint<Real>* const joints = model.joints.data();
   for (const ScopedJoint& s : part.tree) {
     JointState& state = states[s.joint];
-    state.value = joints[s.joint].start.template cast<Num>();
+    state.value = model.starts[s.joint].value.template cast<Num>();
     state.at_start = true;
     state.at_limit = state.closed = Mask(false);
   }
@@ -81,7 +82,7 @@ void Cascade<Num, Wide>::begin_joints(const Model& model, const SolverPart& part
   }
   for (int i : part.lateral_followers) {
     const SolverJoint<Real>& joint = joints[i];
-    states[i].set(joint.value(Num(joint.multiplier) * states[joint.master].value.q + Num(joint.offset)));
+    states[i].set(joint.value(joint.followed(states[joint.master].value.q)));
   }
 }
 
@@ -148,7 +149,7 @@ void Cascade<Num, Wide>::carry_moments(const Model& model, std::span<const Scope
     const Num factor = joint.decay_inward(Num(pass.decay));
     const RigidTransform<Num> scaled_T =
         pass.first && state.at_start
-            ? joint.decayed_T_parent_start.template cast<Num>()
+            ? model.starts[scope[n].joint].decayed_T_parent_moved.template cast<Num>()
             : scaled(joint.moved(joint.T_parent_joint.template cast<Num>(), state.value), factor);
     states[joint.parent].carried.add_transformed(state.carried, scaled_T, factor);
   }
@@ -260,10 +261,10 @@ void Cascade<Num, Wide>::close_faded(const Model& model, const SolverPart& part)
     const Mask whole = state.open_share == Num(1);
     if (all(whole)) continue;
     const SolverJoint<Real>& joint = model.joints[step.joint];
-    const Num blend = state.open_share * state.q + (Num(1) - state.open_share) * Num(joint.q_closed);
+    const Num blend = state.open_share * state.q + (Num(1) - state.open_share) * Num(joint.travel.closed);
     state.q = select(whole, state.q, clamp(blend, Num(joint.lower.q), Num(joint.upper.q)));
     for (int i : step.driven)
-      if (i != step.joint) joints_[i].q = Num(model.joints[i].multiplier) * state.q + Num(model.joints[i].offset);
+      if (i != step.joint) joints_[i].q = model.joints[i].followed(state.q);
   }
 }
 
@@ -296,7 +297,8 @@ typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::fit_single(const Model& mod
   Num sine = across, cosine = along;
   if (pass.first) {
     const PlaneDeformation<Num>& plane = plane_of(model, step.first_finger);
-    const Num lead = Num(j.lead[0]) * plane.lead[0] + Num(j.lead[1]) * plane.lead[1];
+    const SolverLead<Real>& lead_of = model.leads[step.joint];
+    const Num lead = Num(lead_of[0]) * plane.lead[0] + Num(lead_of[1]) * plane.lead[1];
     sine += lead * along, cosine -= lead * across;
   }
   const Num per_length = one / sqrt(sine * sine + cosine * cosine);

@@ -11,8 +11,8 @@ namespace uhas {
 // origin of the node's joint, or the fingertip, in `joint`'s frame with `joint` itself at zero
 template <class Num, class Wide>
 Vector3<Num> Cascade<Num, Wide>::node_in_frame(const Model& model, const ContactNode& node, int joint) const noexcept {
-  int at = node.joint >= 0 ? node.joint : model.tip_joint[node.finger];
-  Vector3<Num> p = node.joint >= 0 ? Vector3<Num>{} : model.p_tip[node.finger];
+  int at = node.joint >= 0 ? node.joint : model.tips[node.finger].joint;
+  Vector3<Num> p = node.joint >= 0 ? Vector3<Num>{} : model.tips[node.finger].p;
   while (at != joint && at >= 0) {
     const SolverJoint<Real>& j = model.joints[at];
     p = j.moved(j.T_parent_joint, joints_[at].value) * p;
@@ -55,7 +55,7 @@ Num Cascade<Num, Wide>::contact_group(const Model& model, const SolverStep& step
     for (const ContactNode& node : step.nodes) {
       const Vector3<Num> p = node.joint >= 0
                                  ? joints_[node.joint].T_S_moved.translation
-                                 : joints_[model.tip_joint[node.finger]].T_S_moved * model.p_tip[node.finger];
+                                 : joints_[model.tips[node.finger].joint].T_S_moved * model.tips[node.finger].p;
       sum += gap_to_profile(plane_of(model, node.finger), p);
     }
     return sum / Real(step.nodes.size());

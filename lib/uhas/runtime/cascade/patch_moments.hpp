@@ -9,7 +9,8 @@
 #include <algorithm>
 
 #include "uhas/runtime/cascade/plane_deformation.hpp"
-#include "uhas/runtime/cascade/solver_model.hpp"
+#include "uhas/runtime/cascade/surface_patches.hpp"
+#include "uhas/runtime/cascade_solver.hpp"
 
 namespace uhas {
 

@@ -38,8 +38,12 @@ PlaneGroups group_planes(const HandProfile& profile) {
   }
 
   std::vector<double> azimuths;
-  for (const std::vector<int>& group : groups) azimuths.push_back(mean_azimuth(profile, group));
-  return {groups, azimuths};
+  std::vector<int> of_finger(profile.fingers.size());
+  for (int g = 0; g < static_cast<int>(groups.size()); ++g) {
+    azimuths.push_back(mean_azimuth(profile, groups[g]));
+    for (int f : groups[g]) of_finger[f] = g;
+  }
+  return {groups, azimuths, of_finger};
 }
 
 BetweenPlanes locate_between_planes(double theta, const std::vector<double>& azimuths) {

@@ -12,6 +12,7 @@ namespace uhas {
 struct PlaneGroups {
   std::vector<std::vector<int>> fingers;  ///< [group] of a plane, by azimuth
   std::vector<double> azimuths;           ///< [group] their mean on the circle, canonical
+  std::vector<int> of_finger;             ///< [finger] the group it is in
 };
 
 PlaneGroups group_planes(const HandProfile& profile);

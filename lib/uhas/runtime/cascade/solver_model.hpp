@@ -10,8 +10,8 @@
 #include "uhas/kinematics/cascade_plan.hpp"
 #include "uhas/kinematics/contact.hpp"
 #include "uhas/runtime/cascade/action_decoder.hpp"
-#include "uhas/runtime/cascade/moments.hpp"
 #include "uhas/runtime/cascade/plane_groups.hpp"
+#include "uhas/runtime/cascade/surface_patches.hpp"
 #include "uhas/runtime/cascade_solver.hpp"
 #include "uhas/runtime/lanes/lane_math.hpp"
 
@@ -28,6 +28,7 @@ struct JointValue {
   }
 };
 
+/// A joint, compiled: its axis is the z of its frame.
 template <class Real>
 struct SolverJoint {
   bool prismatic = false;
@@ -36,13 +37,8 @@ struct SolverJoint {
   Real unit{};                          ///< profile units of q per solver unit: r for a prismatic joint, else 1
   Real least{}, greatest{};             ///< profile units: the limits; of a mimic follower infinite
   JointValue<Real> lower, upper;        ///< solver units, like every joint value below
-  JointValue<Real> start;               ///< before the cascade: q_sphere, or open for what a contact is sought for
-  RigidTransform<Real>
-      decayed_T_parent_start;  ///< the joint's frame moved by `start`, times `decay_inward` of the first pass
-  Real q_closed{};
   JointTravel<Real> travel;
-  std::array<Real, kLeadInputs> lead{};  ///< rad a radius: how far the first fit goes ahead for the joints further out
-  int master = -1;
+  int master = -1;  ///< the joint it follows; -1 = independent
   Real multiplier{1}, offset{};
 
   /// Factor on the moments that go from the joint to its parent: one unknown more between.
@@ -56,6 +52,12 @@ struct SolverJoint {
     if (prismatic) return {q, Num(1), Num(0)};
     const SinCos<Num> turn = sincos(q);
     return {q, turn.cosine, turn.sine};
+  }
+
+  /// Of a follower, when its master stands at `master_q`.
+  template <class Num>
+  Num followed(Num master_q) const {
+    return Num(multiplier) * master_q + Num(offset);
   }
 
   /// `q` in profile units, which for a turn are those of the solver: the product may round past a limit, the result is
@@ -75,40 +77,23 @@ struct SolverJoint {
   }
 };
 
-/// A surface point of a finger.
+/// Where a joint stands before the cascade.
 template <class Real>
-struct SolverPoint {
+struct SolverStart {
+  JointValue<Real> value;  ///< q_sphere, or open for what a contact is sought for
+  RigidTransform<Real>
+      decayed_T_parent_moved;  ///< the joint's frame moved by `value`, times `decay_inward` of the first pass
+};
+
+/// How far the first fit of a joint goes ahead for the joints further out, rad a radius of each input (lead.hpp).
+template <class Real>
+using SolverLead = std::array<Real, kLeadInputs>;
+
+/// The fingertip of a finger.
+template <class Real>
+struct SolverTip {
   int joint{};
-  int finger{};
-  Vector3<Real> p;          ///< in the joint's moved frame
-  Vector3<Real> direction;  ///< of the material point on the sphere, unit, in S
-  Real rho{}, phi{}, weight{};
-  int plane_before{}, plane_after{};  ///< groups of planes on either side, for the interpolated field
-  Real blend{};                       ///< 0 at plane_before, 1 at plane_after
-};
-
-/// The points of a patch column by column, as lanes read them; filled up with points of no weight.
-template <class Real>
-struct PointColumns {
-  static constexpr std::size_t kWidest = 8;  ///< lengths are multiples of this
-
-  std::size_t length{};
-  std::vector<Real> phi, rho, weight;
-  std::array<std::vector<Real>, 3> p, direction;
-};
-
-/// The points of one finger on one joint: [first, last), by polar angle. Where no point fades, targets are linear in
-/// the displacement, which is linear in phi between driving vectors: two sets of sums take the place of the points.
-template <class Real>
-struct SolverPatch {
-  int joint{}, finger{};
-  std::size_t first{}, last{};
-  bool first_of_joint{};  ///< of the joint's patches, in the order of `patches_of_finger`
-  Real least_phi{}, greatest_phi{}, least_rho{};
-  PointMoments<Real> rest;                      ///< undeformed
-  std::vector<TargetMoments<Real>> beyond;      ///< [point] of this and all later points, targets `direction`
-  std::vector<TargetMoments<Real>> beyond_phi;  ///< [point] of this and all later points, targets phi `direction`
-  PointColumns<Real> columns;
+  Vector3<Real> p;  ///< in the joint's moved frame
 };
 
 template <class Real>
@@ -150,37 +135,33 @@ struct SolverPass {
   bool first;  ///< the joints further out stand at their start: a fit leads
 };
 
-/// Share of the points' own weight that holds a joint at its present value (cascade_kernel.hpp).
+/// Share of the points' own weight that holds a joint at its present value (docs/method.md#hold).
 inline constexpr double kHold = 0.5;
 
+/// Made in one go by `compile_solver_model`, and constant from then on.
 template <class Real>
 struct SolverModel {
-  SolverModel(const HandProfile& profile, const SolveOptions& solve_options);
-
   SolveOptions options;
   ActionDecoder<Real> decoder;
-  Real azimuth_sign{1};  ///< -1 on a mirrored hand: azimuth = sign * canonical azimuth
+  Real azimuth_sign;  ///< -1 on a mirrored hand: azimuth = sign * canonical azimuth
+  std::vector<SolverPass<Real>> passes;
   std::vector<SolverJoint<Real>> joints;
+  std::vector<SolverStart<Real>> starts;  ///< [joint]
+  std::vector<SolverLead<Real>> leads;    ///< [joint]
+  std::vector<SolverTip<Real>> tips;      ///< [finger]
+  std::vector<SolverLateral<Real>> laterals;
+  std::vector<SolverStep> steps;
+  std::vector<int> step_at;  ///< [joint] the step solved when the sweep reaches the joint; -1 = none
+  PlaneGroups plane_groups;
   std::vector<SolverPoint<Real>> points;  ///< sorted by patch
   std::vector<SolverPatch<Real>> patches;
   std::vector<std::vector<int>> patches_of_finger;  ///< [finger] indices into `patches`, of those that a step moves
-  std::vector<SolverLateral<Real>> laterals;
-  std::vector<SolverStep> steps;
   std::vector<SolverPart> parts;
-  std::vector<SolverPass<Real>> passes;
-  std::vector<int> step_at;          ///< [joint] the step solved when the sweep reaches the joint; -1 = none
-  std::vector<int> tip_joint;        ///< [finger]
-  std::vector<Vector3<Real>> p_tip;  ///< [finger] in the tip joint's moved frame
-  PlaneGroups plane_groups;
-  std::vector<int> group_of_finger;  ///< [finger] index into `plane_groups`
 };
 
 /// Throws Error: invalid_profile for a profile that `validate_profile` refuses, invalid_action for passes or numbers of
 /// the convention out of range.
 template <class Real>
 std::shared_ptr<const SolverModel<Real>> compile_solver_model(const HandProfile& profile, const SolveOptions& options);
-
-extern template struct SolverModel<float>;
-extern template struct SolverModel<double>;
 
 }  // namespace uhas

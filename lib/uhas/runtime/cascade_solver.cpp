@@ -1,6 +1,7 @@
 #include "uhas/runtime/cascade_solver.hpp"
 
 #include "uhas/runtime/cascade/contact_rule.hpp"
+#include "uhas/runtime/cascade/point_targets.hpp"
 #include "uhas/runtime/lanes/cascade_lanes_kernel.hpp"
 
 namespace uhas {

@@ -1,5 +1,5 @@
 // From an action's numbers to the deformation of each finger's plane: denormalise, clamp, average shared slots
-// (docs/method.md#driving-planes).
+// (docs/conventions.md#the-action).
 #pragma once
 
 #include <array>

@@ -1,11 +1,12 @@
 // The working half of the solver: the state of one solve and the steps of the cascade, in the order they run.
-// The source files that choose a number type include cascade_kernel.hpp, which holds the definitions.
+// The source files that choose a number type include cascade_kernel.hpp, which holds the definitions, and for plain
+// numbers point_targets.hpp and contact_rule.hpp.
 #pragma once
 
 #include <span>
 #include <vector>
 
-#include "uhas/runtime/cascade/patch_moments.hpp"
+#include "uhas/runtime/cascade/moments.hpp"
 #include "uhas/runtime/cascade/solver_model.hpp"
 
 namespace uhas {
@@ -68,29 +69,32 @@ class Cascade {
     Num share;
   };
 
+  // cascade_kernel.hpp
   const PlaneDeformation<Num>& plane_of(const Model& model, int finger) const noexcept;
-  void average_planes(const Model& model) noexcept;
   void begin_joints(const Model& model, const SolverPart& part) noexcept;
   void sum_targets(const Model& model, const SolverPart& part) noexcept;
-  void sum_points(const Model& model) noexcept;
-  Target target_of(const Model& model, const SolverPoint<Real>& point) const noexcept;
-
-  void set_unknown(const Model& model, const SolverStep& step, const JointValue<Num>& value) noexcept;
-  void carry_moments(const Model& model, std::span<const ScopedJoint> scope, const Pass& pass) noexcept;
-  void move_frames(const Model& model, std::span<const ScopedJoint> scope) noexcept;
-  RigidTransform<Num> frame_before_motion(const Model& model, int joint) const noexcept;
-
   void sweep(const Model& model, const SolverPart& part, const Pass& pass) noexcept;
+  void carry_moments(const Model& model, std::span<const ScopedJoint> scope, const Pass& pass) noexcept;
+  RigidTransform<Num> frame_before_motion(const Model& model, int joint) const noexcept;
+  void move_frames(const Model& model, std::span<const ScopedJoint> scope) noexcept;
   void solve_step(const Model& model, const SolverStep& step, const RigidTransform<Num>& F, const Pass& pass) noexcept;
-  void close_faded(const Model& model, const SolverPart& part) noexcept;
-
   Fit fit_step(const Model& model, const SolverStep& step, const RigidTransform<Num>& F, const Pass& pass) noexcept;
   Fit fit_single(const Model& model, const SolverStep& step, const RigidTransform<Num>& F,
                  const Pass& pass) const noexcept;
+  Fit within_limits(const SolverJoint<Real>& joint, const JointValue<Num>& value) const noexcept;
+  void set_unknown(const Model& model, const SolverStep& step, const JointValue<Num>& value) noexcept;
+  void close_faded(const Model& model, const SolverPart& part) noexcept;
+
+  // coupled_joints.hpp
   Fit fit_group(const Model& model, const SolverStep& step, const Pass& pass) noexcept;
   Descent descent(const Model& model, const SolverStep& step, const JointValue<Num>& value, const Pass& pass) noexcept;
-  Fit within_limits(const SolverJoint<Real>& joint, const JointValue<Num>& value) const noexcept;
 
+  // point_targets.hpp
+  void average_planes(const Model& model) noexcept;
+  Target target_of(const Model& model, const SolverPoint<Real>& point) const noexcept;
+  void sum_points(const Model& model) noexcept;
+
+  // contact_rule.hpp
   Num contact_single(const Model& model, const SolverStep& step, const RigidTransform<Num>& F) noexcept;
   Num contact_group(const Model& model, const SolverStep& step) noexcept;
   Vector3<Num> node_in_frame(const Model& model, const ContactNode& node, int joint) const noexcept;

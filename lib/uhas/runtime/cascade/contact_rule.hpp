@@ -11,6 +11,7 @@ namespace uhas {
 // origin of the node's joint, or the fingertip, in `joint`'s frame with `joint` itself at zero
 template <class Num, class Wide>
 Vector3<Num> Cascade<Num, Wide>::node_in_frame(const Model& model, const ContactNode& node, int joint) const noexcept {
+  // from the node's own frame inward, joint by joint
   int at = node.joint >= 0 ? node.joint : model.tips[node.finger].joint;
   Vector3<Num> p = node.joint >= 0 ? Vector3<Num>{} : model.tips[node.finger].p;
   while (at != joint && at >= 0) {
@@ -34,10 +35,12 @@ Num Cascade<Num, Wide>::contact_single(const Model& model, const SolverStep& ste
                                        const RigidTransform<Num>& F) noexcept {
   const SolverJoint<Real>& joint = model.joints[step.joint];
   if (joint.prismatic || step.nodes.size() != 1) return contact_group(model, step);
+  // the node runs on a circle about the joint's axis, in the plane of its finger
   const ContactNode& node = step.nodes[0];
   const PlaneDeformation<Num>& plane = plane_of(model, node.finger);
   const Circle<Num> circle =
       Circle<Num>::about(F.rotation.column(2), F.translation, F * node_in_frame(model, node, step.joint));
+  // a profile without deformation is a sphere, whose meeting has a closed form
   const bool undeformed =
       std::all_of(plane.delta_r.begin(), plane.delta_r.begin() + plane.vectors, [](Real d) { return d == Real(0); });
   if (undeformed) return first_contact_with_sphere(circle, joint.travel);
@@ -48,6 +51,7 @@ Num Cascade<Num, Wide>::contact_single(const Model& model, const SolverStep& ste
 template <class Num, class Wide>
 Num Cascade<Num, Wide>::contact_group(const Model& model, const SolverStep& step) noexcept {
   const JointValue<Num> present = joints_[step.joint].value;
+  // the mean distance of the nodes from their profiles, everything that the step moves moved
   const auto mean_gap = [&](Num value) {
     set_unknown(model, step, model.joints[step.joint].value(value));
     move_frames(model, step.scope);
@@ -61,6 +65,7 @@ Num Cascade<Num, Wide>::contact_group(const Model& model, const SolverStep& step
     return sum / Real(step.nodes.size());
   };
   const Num found = first_contact_by_scan<Num>(mean_gap, model.joints[step.joint].travel);
+  // the scan has moved the joints: back to where they stood
   set_unknown(model, step, present);
   return found;
 }

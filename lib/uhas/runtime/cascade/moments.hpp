@@ -1,4 +1,5 @@
-// Weighted moments of point pairs: all that the least-squares fit of a joint needs to know of its surface points.
+// Weighted moments of point pairs (docs/method.md#moments): all that the least-squares fit of a joint needs to know of
+// its surface points.
 //
 // A joint's fit needs sums over points p (in a link frame) and targets t (in S). Such sums can be moved between frames
 // and added without going back to the points, so a solve visits each point at most once, however many joints carry it.
@@ -14,8 +15,8 @@ namespace uhas {
 /// The sums that targets take part in.
 template <class Num>
 struct TargetMoments {
-  Vector3<Num> t;                    ///< sum w s t
-  std::array<Vector3<Num>, 3> pt{};  ///< pt[j] = sum w s t_j p
+  Vector3<Num> t;                    ///< T = sum w s t
+  std::array<Vector3<Num>, 3> pt{};  ///< the columns of M: pt[j] = sum w s t_j p
 
   /// Adds `factor` times the targets of `other`, whose points and shares are the same.
   template <class Real>
@@ -48,11 +49,12 @@ RigidTransform<Num> scaled(RigidTransform<Num> T, Num factor) {
   return {T.rotation, factor * T.translation};
 }
 
+/// All the sums over the points of a joint.
 template <class Num>
 struct PointMoments : TargetMoments<Num> {
   Num full_weight{};  ///< sum w, dropped points included
-  Num weight{};       ///< sum w s, s = the share of the point that closing has left
-  Vector3<Num> p;     ///< sum w s p
+  Num weight{};       ///< W = sum w s, s = the share of the point that closing has left
+  Vector3<Num> p;     ///< P = sum w s p
 
   /// Adds a point of which closing has left `share`.
   void add(Num w, Num share, Vector3<Num> point, Vector3<Num> target) {
@@ -66,6 +68,7 @@ struct PointMoments : TargetMoments<Num> {
   /// t_j) are sums of points and of their weights, so that T maps the one with the other's help.
   /// @param scaled_T  `factor` times T
   void add_transformed(const PointMoments& other, const RigidTransform<Num>& scaled_T, Num factor) {
+    // P' = R P + W o, and the same for each column of M with the weight T_j
     const auto moved = [&](Vector3<Num> points, Num weights) {
       return scaled_T.rotation * points + weights * scaled_T.translation;
     };
@@ -90,8 +93,8 @@ struct PointMoments : TargetMoments<Num> {
 /// What a turning joint sees of its points, in the joint's frame F before its own motion, whose z is the joint's axis.
 template <class Num>
 struct TurnFit {
-  Num sine{};    ///< sum w s z . (p x t)
-  Num cosine{};  ///< sum w s (p_x t_x + p_y t_y)
+  Num sine{};    ///< D = sum w s z . (p x t)
+  Num cosine{};  ///< C = sum w s (p_x t_x + p_y t_y)
 };
 
 /// Targets go to F by t_F = R^T (t - o), so that sum p t_F^T = (sum p t^T - sum p o^T) R; only the rows and columns
@@ -100,10 +103,12 @@ struct TurnFit {
 /// @param T_S_F    F in S
 template <class Num>
 TurnFit<Num> fit_turn(const PointMoments<Num>& moments, const RigidTransform<Num>& T_S_F) {
+  // two rows of M - P o^T
   const std::array<Vector3<Num>, 3>& pt = moments.pt;
   const Vector3<Num> o = T_S_F.translation, p = moments.p;
   const Vector3<Num> row_x = Vector3<Num>{pt[0].x, pt[1].x, pt[2].x} - p.x * o;
   const Vector3<Num> row_y = Vector3<Num>{pt[0].y, pt[1].y, pt[2].y} - p.y * o;
+  // times the x and y of F: D = M_12 - M_21, C = M_11 + M_22
   const Vector3<Num> x = T_S_F.rotation.column(0), y = T_S_F.rotation.column(1);
   return {.sine = dot(row_x, y) - dot(row_y, x), .cosine = dot(row_x, x) + dot(row_y, y)};
 }
@@ -122,8 +127,10 @@ Num fit_shift(const PointMoments<Num>& moments, const RigidTransform<Num>& T_S_F
 template <class Num>
 Num bend_of_pair(const PointMoments<Num>& moments, const RigidTransform<Num>& T_in, const RigidTransform<Num>& T_out) {
   const Vector3<Num> o = T_in.translation, z_in = T_in.rotation.column(2), z_out = T_out.rotation.column(2);
+  // the points, from the outer origin, turned into S: x, y, z are the columns of M there
   const Vector3<Num> x = T_out.rotation * moments.pt[0], y = T_out.rotation * moments.pt[1],
                      z = T_out.rotation * moments.pt[2], p = T_out.rotation * moments.p;
+  // sum w s (z_out . t) p, then z_in . (that) - (z_in . z_out) sum w s p . t
   const Vector3<Num> along = z_out.x * x + z_out.y * y + z_out.z * z - dot(z_out, o) * p;
   return dot(z_in, along) - dot(z_in, z_out) * (x.x + y.y + z.z - dot(p, o));
 }

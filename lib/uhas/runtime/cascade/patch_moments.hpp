@@ -14,14 +14,17 @@
 
 namespace uhas {
 
-/// Where fading begins and ends (displacements, radii); `hard` drops at the end and fades nowhere.
+/// Where fading begins and ends (displacements, radii; docs/method.md#closing); `hard` drops at the end and fades
+/// nowhere.
 inline constexpr double kFadeBegins = -0.5, kFadeEnds = -1.0;
 
 /// What closing leaves of a point: 1 or 0 for `hard`, else smoothstep between the bounds above. At the anchored pole
 /// the displacement of the first driving vector counts for `fade`: it must not keep a root open.
 template <class Num>
 Num open_share(const typename RadialProfile<Num>::At& radial, CascadeClosing closing) {
+  // hard: by the sign of the sphere's radius at the point itself
   if (closing == CascadeClosing::hard) return select(Num(1) + radial.delta_r < Num(0), Num(0), Num(1));
+  // fade: smoothstep of u, the radius at the point or at the first driving vector, in halves
   const Num u = clamp((Num(1) + radial.past_first) * Num(2), Num(0), Num(1));
   return u * u * (Num(3) - Num(2) * u);
 }
@@ -33,12 +36,15 @@ PointMoments<Wide> visit_points(const PointColumns<LaneReal<Wide>>& columns, con
   PointMoments<Wide> moments;
   for (std::size_t k = 0; k < columns.length; k += LaneTraits<Wide>::width) {
     const auto column = [&](const auto& numbers) { return load<Wide>(numbers.data() + k); };
+    // displacement and share at the points' polar angles
     const auto radial = profile.at(column(columns.phi));
     const Wide share = column(columns.weight) * open_share<Wide>(radial, closing);
+    // targets go out along the direction, not behind the centre
     const Wide target = share * max(column(columns.rho) + radial.delta_r, Wide(0));
     const Vector3<Wide> p{column(columns.p[0]), column(columns.p[1]), column(columns.p[2])};
     const Vector3<Wide> direction{column(columns.direction[0]), column(columns.direction[1]),
                                   column(columns.direction[2])};
+    // W, P, T and M of docs/method.md#moments
     moments.weight += share;
     moments.p += share * p;
     moments.add_pair(p, target * direction);
@@ -78,19 +84,23 @@ struct PatchState {
   MaskOf<Num> whole, vanished;
 };
 
+/// By the least and the greatest displacement over the patch's range of polar angles, without a look at its points.
 template <class Num>
 PatchState<Num> classify_patch(const SolverPatch<LaneReal<Num>>& patch, const PlaneDeformation<Num>& plane,
                                CascadeClosing closing) {
   using Real = LaneReal<Num>;
   const Num least_phi(patch.least_phi), greatest_phi(patch.greatest_phi);
-  // sums of great differences lose digits: driving vectors a few degrees apart are left to the points
+  // whether sums may stand for the points. Sums of great differences lose digits: driving vectors a few degrees apart
+  // are left to the points. Sums are looked up at one angle for all lanes: vectors apart must not stand in the patch
   constexpr Real steep = 50;
   MaskOf<Num> summable = plane.steepest <= Num(steep);
-  if (!plane.common_angles)  // sums are looked up at one angle for all lanes
+  if (!plane.common_angles)
     for (int j = 0; j < plane.vectors; ++j)
       summable = summable & ((plane.phi[j] <= least_phi) | (plane.phi[j] >= greatest_phi));
+  // no vector so low that anything fades or passes the centre: the patch is whole (most are)
   if (all(plane.lowest >= Num(std::max(Real(kFadeBegins), -patch.least_rho)))) return {summable, MaskOf<Num>(false)};
 
+  // the extremes of a piecewise linear displacement: at the ends of the range and at driving vectors inside
   const auto first = plane.at(least_phi), last = plane.at(greatest_phi);
   Num lowest = min(first.delta_r, last.delta_r), highest = max(first.delta_r, last.delta_r);
   Num lowest_past = min(first.past_first, last.past_first), highest_past = max(first.past_first, last.past_first);
@@ -101,6 +111,7 @@ PatchState<Num> classify_patch(const SolverPatch<LaneReal<Num>>& patch, const Pl
     lowest_past = select(inside, min(lowest_past, plane.delta_r[j]), lowest_past);
     highest_past = select(inside, max(highest_past, plane.delta_r[j]), highest_past);
   }
+  // whole: targets in front of the centre and no point faded; vanished: every point gone
   const Num begins{Real(kFadeBegins)}, ends{Real(kFadeEnds)};
   const bool hard = closing == CascadeClosing::hard;
   const MaskOf<Num> in_front = Num(patch.least_rho) + lowest >= Num(0);
@@ -115,12 +126,14 @@ template <class Num>
 void sum_whole(const SolverPatch<LaneReal<Num>>& patch, const PlaneDeformation<Num>& plane,
                PointMoments<Num>& moments) {
   using Real = LaneReal<Num>;
+  // on the stretch where the patch begins, delta r = offset + slope phi
   Num slope = plane.slope[0], offset = plane.delta_r[0] - plane.slope[0] * plane.phi[0];
   for (int j = 0; j < plane.vectors; ++j) {
     const MaskOf<Num> passed = plane.phi[j] <= Num(patch.least_phi);
     slope = select(passed, plane.slope_past(j), slope);
     offset = select(passed, plane.delta_r[j] - plane.slope_past(j) * plane.phi[j], offset);
   }
+  // so much of the sums over all points
   struct Term {
     const TargetMoments<Real>* sums;
     Num factor;
@@ -129,17 +142,18 @@ void sum_whole(const SolverPatch<LaneReal<Num>>& patch, const PlaneDeformation<N
   terms[0] = {&patch.beyond_phi.front(), slope};
   terms[1] = {&patch.beyond.front(), offset};
   int count = 2;
-  // driving vectors inside the patch, at one angle in all lanes: the points beyond one see the slope change there
+  // driving vectors inside the patch: the slope changes by c there, which adds c (phi - phi_j) to the points beyond
   for (int j = 0; j < plane.vectors && plane.common_angles; ++j) {
     const Real phi = lane(plane.phi[j], 0);
     if (!(phi > patch.least_phi && phi < patch.greatest_phi)) continue;
-    std::size_t k = 0;
+    std::size_t k = 0;  // the first point beyond
     while (patch.columns.phi[k] <= phi) ++k;
     const Num change = plane.slope_past(j) - plane.slope[j];
     terms[count++] = {&patch.beyond_phi[k], change};
     terms[count++] = {&patch.beyond[k], -phi * change};
   }
 
+  // the terms added to the sums at rest
   const auto sum = [&](auto part) {
     Vector3<Num> total = part(patch.rest).template cast<Num>();
     for (int n = 0; n < count; ++n) total += terms[n].factor * part(*terms[n].sums).template cast<Num>();
@@ -153,6 +167,7 @@ void sum_whole(const SolverPatch<LaneReal<Num>>& patch, const PlaneDeformation<N
   moments.pt[2] = sum([](const TargetMoments<Real>& sums) { return sums.pt[2]; });
 }
 
+/// 0 in the lanes where `mask` is false; the full weight stays.
 template <class Num>
 void keep_where(MaskOf<Num> mask, PointMoments<Num>& moments) {
   const auto keep = [&](Num& number) { number = select(mask, number, Num(0)); };
@@ -168,6 +183,7 @@ template <class Wide, class Num>
 void sum_patch(const SolverPatch<LaneReal<Num>>& patch, const PlaneDeformation<Num>& plane, CascadeClosing closing,
                PointMoments<Num>& moments) {
   const PatchState<Num> state = classify_patch(patch, plane, closing);
+  // lanes where the patch is whole: by sums; nothing in the others so far
   if (any(state.whole)) {
     sum_whole(patch, plane, moments);
     if (all(state.whole)) return;
@@ -176,6 +192,7 @@ void sum_patch(const SolverPatch<LaneReal<Num>>& patch, const PlaneDeformation<N
     moments = {};
     moments.full_weight = Num(patch.rest.full_weight);
   }
+  // lanes where it fades: point by point
   for (int l = 0; l < LaneTraits<Num>::width; ++l)
     if (!lane(state.whole, l) && !lane(state.vanished, l))
       add_to_lane(visit_points<Wide>(patch.columns, spread_lane<Wide>(plane, l), closing), l, moments);

@@ -1,4 +1,5 @@
-// The deformation of one finger's driving plane: what an action says to a finger, bounded, slots averaged.
+// The deformation of one finger's driving plane (docs/method.md#driving-planes): what an action says to a finger,
+// bounded, slots averaged.
 #pragma once
 
 #include <array>
@@ -13,8 +14,8 @@ namespace uhas {
 inline constexpr int kLeadInputs = 2;
 constexpr std::array<double, kLeadInputs> kLeadAngles{std::numbers::pi / 3, 2 * std::numbers::pi / 3};
 
-/// What it makes of a displacement: all of a small one, ever less of a larger one, of which first order knows little,
-/// and no more from `bound` on, smoothly.
+/// What a lead takes of a displacement: all of a small one, ever less of a larger one, of which first order knows
+/// little, and no more from `bound` on, smoothly.
 template <class Num>
 Num lead_input(Num delta_r) {
   using Real = LaneReal<Num>;
@@ -39,6 +40,7 @@ struct RadialProfile {
 
   /// Summed from beyond the last vector, so that equal displacements come out exactly equal.
   At at(Num angle) const {
+    // from the last vector's displacement back along each slope, as far as the angle lies before its end
     Num past_first = delta_r[vectors - 1];
     for (int j = vectors - 1; j > 0; --j) past_first -= slope[j] * (phi[j] - clamp(angle, phi[j - 1], phi[j]));
     return {past_first - slope[0] * (phi[0] - min(angle, phi[0])), past_first};
@@ -52,13 +54,15 @@ template <class Num>
 struct PlaneDeformation : RadialProfile<Num> {
   Num delta_theta{};                    ///< rad, canonical
   bool common_angles = true;            ///< `phi` are the same in every lane
-  Num lowest{}, steepest{};             ///< least displacement of a vector; greatest |slope|
+  Num lowest{};                         ///< least displacement of a vector
+  Num steepest{};                       ///< greatest |slope|
   std::array<Num, kLeadInputs> lead{};  ///< `lead_input` at `kLeadAngles`
 
   /// All that follows from vectors, angles and displacements.
   /// @param held_toward_pole  constant before the first vector
   /// @param default_angles    `phi` are pi j / (V + 1)
   void complete(bool held_toward_pole, bool default_angles) {
+    // slopes between the vectors, the first one from the anchored pole
     this->slope[0] = held_toward_pole ? Num(0) : this->delta_r[0] / this->phi[0];
     lowest = this->delta_r[0];
     steepest = abs(this->slope[0]);
@@ -67,7 +71,8 @@ struct PlaneDeformation : RadialProfile<Num> {
       lowest = min(lowest, this->delta_r[j]);
       steepest = max(steepest, abs(this->slope[j]));
     }
-    if (default_angles && this->vectors == kLeadInputs) {  // these are the angles
+    // what leads read; two default vectors stand where they look
+    if (default_angles && this->vectors == kLeadInputs) {
       for (int u = 0; u < kLeadInputs; ++u) lead[u] = lead_input(this->delta_r[u]);
     } else {
       for (int u = 0; u < kLeadInputs; ++u) lead[u] = lead_input(this->at(Num(LaneReal<Num>(kLeadAngles[u]))).delta_r);

@@ -15,6 +15,7 @@ struct PlaneGroups {
   std::vector<int> of_finger;             ///< [finger] the group it is in
 };
 
+/// `profile`: one that `validate_profile` lets pass.
 PlaneGroups group_planes(const HandProfile& profile);
 
 /// A place between the groups on either side of it.
@@ -23,6 +24,7 @@ struct BetweenPlanes {
   double blend;       ///< 0 at `before`, 1 at `after`
 };
 
+/// @param theta  canonical azimuth, any finite angle
 BetweenPlanes locate_between_planes(double theta, const std::vector<double>& azimuths);
 
 /// The mean deformation of a group's fingers. `planes`: [finger].
@@ -33,6 +35,7 @@ PlaneDeformation<Num> mean_plane(const std::vector<PlaneDeformation<Num>>& plane
   mean.vectors = planes.front().vectors;
   mean.delta_theta = Num(0);
   for (int j = 0; j < mean.vectors; ++j) mean.phi[j] = mean.delta_r[j] = Num(0);
+  // angles and displacements, each the mean of its own; all else follows from them
   const Num share(LaneReal<Num>(1) / LaneReal<Num>(group.size()));
   for (int finger : group) {
     mean.delta_theta += share * planes[finger].delta_theta;
@@ -56,6 +59,7 @@ struct Displacement {
 template <class Num>
 Displacement<Num> displacement_between(const PlaneDeformation<Num>& before, const PlaneDeformation<Num>& after,
                                        Num blend, Num phi) {
+  // both planes are read at the point's angle, and past the first driving vector of what lies between them
   const auto mixed = [&](Num a, Num b) { return a + blend * (b - a); };
   const Num past_first = max(phi, mixed(before.phi[0], after.phi[0]));
   return {mixed(before.delta_theta, after.delta_theta),

@@ -9,8 +9,9 @@ namespace {
 
 struct Here {};
 
+/// 128 bits of points at a time, where a patch is visited point by point.
 template <class Real>
-using Wide = Lanes<Real, 16 / int(sizeof(Real)), Here>;  // 128 bits
+using Wide = Lanes<Real, 16 / int(sizeof(Real)), Here>;
 
 }  // namespace
 
@@ -50,21 +51,25 @@ template <class Real>
 Status CascadeSolver<Real>::solve(const Action<Real>& action, std::span<Real> q) noexcept {
   if (q.size() != model_->joints.size()) return Status::wrong_size;
   if (const Status status = model_->decoder.check(action); status != Status::ok) return status;
+  // numbers to the deformation of each finger's plane, deformations to joint values
   Scratch& cascade = *scratch_;
   model_->decoder.decode(model_->decoder.numbers_of(action), cascade.planes.data());
   cascade.run(*model_);
+  // out in the profile's units
   for (std::size_t i = 0; i < q.size(); ++i) q[i] = model_->joints[i].in_profile_units(cascade.q(static_cast<int>(i)));
   return Status::ok;
 }
 
 template <class Real>
 Status CascadeSolver<Real>::solve(const Action<Real>& action, std::span<Real> q, SolveReport& report) noexcept {
+  // flags for every joint, or none
   const auto fits = [&](std::span<std::uint8_t> flags) {
     return flags.empty() || flags.size() == model_->joints.size();
   };
   if (!fits(report.at_limit) || !fits(report.closed)) return Status::wrong_size;
   const Status status = solve(action, q);
   if (status != Status::ok) return status;
+  // the scratch still holds the solve
   Scratch& cascade = *scratch_;
   report.residual_rms = cascade.residual_rms(*model_);
   for (std::size_t i = 0; i < report.at_limit.size(); ++i) report.at_limit[i] = cascade.at_limit(static_cast<int>(i));

@@ -11,6 +11,7 @@
 
 namespace uhas {
 
+/// Holds a decoder and the planes; owns its scratch memory, so give each thread one of its own.
 class DeformationField {
  public:
   /// Throws Error: invalid_profile for a profile that `validate_profile` refuses, invalid_action for numbers of the
@@ -23,8 +24,7 @@ class DeformationField {
   /// Moves material points to where `action` takes them: azimuth by delta theta, radius by delta r; the polar angle
   /// stays. On any status but ok the points are untouched. Does not allocate.
   /// @param points  canonical azimuth (any finite angle; the result is not wrapped), polar angle in [0, pi], radius in
-  /// sphere
-  ///                radii: 1 on the sphere, rho of a correspondence. A negative result lies beyond the centre.
+  ///                sphere radii: 1 on the sphere, rho of a correspondence. A negative result lies beyond the centre.
   Status deform(const Action<double>& action, std::span<Spherical<double>> points) noexcept;
 
  private:

@@ -100,10 +100,12 @@ Status SphereController<Real>::approach(std::span<const Real> solution, Real dt,
 template <class Real>
 void SphereController<Real>::step(std::span<const Real> solution, Real dt, std::span<Real> targets) const noexcept {
   const Motions& motions = *motions_;
+  // what first-order smoothing lets through in one period
   const Real share = time_constant_ > 0 ? -std::expm1(-dt / time_constant_) : Real(1);
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const Motion& motion = motions[i];
     if (motion.master >= 0) continue;
+    // toward the goal in its narrowed range, no faster than the joint may
     const Real from = std::clamp(targets[i], motion.lower, motion.upper);
     const Real way = share * (std::clamp(solution[i], motion.goal_lower, motion.goal_upper) - from);
     const Real longest = motion.velocity * dt;

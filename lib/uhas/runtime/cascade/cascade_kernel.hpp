@@ -71,7 +71,7 @@ void Cascade<Num, Wide>::begin_joints(const Model& model, const SolverPart& part
   // joints that mimic one of these
   for (int i : part.lateral_followers) {
     const SolverJoint<Real>& joint = joints[i];
-    states[i].set(joint.value(joint.followed(states[joint.master].value.q)));
+    states[i].set(joint.value(joint.motion_at(states[joint.master].value.q)));
   }
 }
 
@@ -276,7 +276,7 @@ void Cascade<Num, Wide>::set_unknown(const Model& model, const SolverStep& step,
   if (step.single) return;
   for (int i : step.driven) {
     const SolverJoint<Real>& joint = model.joints[i];
-    if (i != step.joint) joints_[i].set(joint.value(joint.followed(value.q)));
+    if (i != step.joint) joints_[i].set(joint.value(joint.motion_at(value.q)));
   }
 }
 
@@ -299,7 +299,7 @@ void Cascade<Num, Wide>::close_faded(const Model& model, const SolverPart& part)
     state.q = select(whole, state.q, clamp(blend, Num(joint.lower.q), Num(joint.upper.q)));
     // followers after it
     for (int i : step.driven)
-      if (i != step.joint) joints_[i].q = model.joints[i].followed(state.q);
+      if (i != step.joint) joints_[i].q = model.joints[i].motion_at(state.q);
   }
 }
 

@@ -103,7 +103,7 @@ std::vector<SolverStart<Real>> compile_starts(const HandProfile& profile, Cascad
   for (int i = 0; i < static_cast<int>(joints.size()); ++i) {
     const SolverJoint<Real>& joint = joints[i];
     const JointValue<Real> start =
-        joint.master < 0 ? start_of(i) : joint.value(joint.followed(start_of(joint.master).q));
+        joint.master < 0 ? start_of(i) : joint.value(joint.motion_at(start_of(joint.master).q));
     starts.push_back({start, scaled(joint.moved(joint.T_parent_joint, start), joint.decay_inward(decay))});
   }
   return starts;

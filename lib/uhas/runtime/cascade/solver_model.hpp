@@ -1,5 +1,5 @@
 // The constant half of the solver: a profile compiled for one number type. Lengths are in sphere radii and every
-// joint's axis is the z of its frame: both make the arithmetic of a solve shorter.
+// joint's axis is the z of its frame: both make the arithmetic of a solve shorter. Made by solver_model.cpp.
 #pragma once
 
 #include <array>
@@ -54,10 +54,10 @@ struct SolverJoint {
     return {q, turn.cosine, turn.sine};
   }
 
-  /// Of a follower, when its master stands at `master_q`.
+  /// Of a follower, for `q` of its master.
   template <class Num>
-  Num followed(Num master_q) const {
-    return Num(multiplier) * master_q + Num(offset);
+  Num motion_at(Num q) const {
+    return Num(multiplier) * q + Num(offset);
   }
 
   /// `q` in profile units, which for a turn are those of the solver: the product may round past a limit, the result is
@@ -96,11 +96,12 @@ struct SolverTip {
   Vector3<Real> p;  ///< in the joint's moved frame
 };
 
+/// A lateral joint and its table (docs/method.md#lateral-tables).
 template <class Real>
 struct SolverLateral {
   int joint{}, finger{};
-  Real lower{}, upper{};
-  std::vector<Real> inverse_q;
+  Real lower{}, upper{};        ///< bounds of delta theta, rad
+  std::vector<Real> inverse_q;  ///< as `look_up_lateral` takes it, solver units
 };
 
 /// A joint of a part of the tree; `inner` says that its parent belongs to that part too and moves with a step, so that

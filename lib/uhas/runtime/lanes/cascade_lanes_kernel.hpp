@@ -24,6 +24,7 @@ struct CascadeLanesOf {
 
   static void solve(void* scratch, const SolverModel<Real>& model, const ActionRows<Real>& rows) {
     Scratch& cascade = *static_cast<Scratch*>(scratch);
+    // rows to lanes: number by number, a row a lane
     Num values[kSlotCount * (1 + kMaxDrivingVectors)], phi[kSlotCount * kMaxDrivingVectors];
     Num azimuth_offsets[kSlotCount], radial_bounds[2];
     const bool have_offsets = rows.azimuth_offsets[0] != nullptr, have_bounds = rows.radial_bounds[0] != nullptr;
@@ -39,8 +40,10 @@ struct CascadeLanesOf {
                                      .normalized = rows.normalized,
                                      .azimuth_offsets = have_offsets ? azimuth_offsets : nullptr,
                                      .radial_bounds = have_bounds ? radial_bounds : nullptr};
+    // as for one hand (cascade_solver.cpp), all lanes at once
     model.decoder.decode(numbers, cascade.planes.data());
     cascade.run(model);
+    // lanes to rows, in the profile's units
     for (int i = 0; i < static_cast<int>(model.joints.size()); ++i) {
       const Num q = model.joints[i].in_profile_units(cascade.q(i));
       for (int l = 0; l < rows.count; ++l) rows.q[l][i] = lane(q, l);

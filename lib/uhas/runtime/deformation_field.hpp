@@ -11,7 +11,7 @@
 
 namespace uhas {
 
-/// Holds a decoder and the planes; owns its scratch memory, so give each thread one of its own.
+/// The field of one hand. It has scratch memory of its own: give each thread its object.
 class DeformationField {
  public:
   /// Throws Error: invalid_profile for a profile that `validate_profile` refuses, invalid_action for numbers of the

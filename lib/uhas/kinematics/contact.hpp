@@ -7,14 +7,9 @@
 #include <numbers>
 
 #include "uhas/base/vector3.hpp"
+#include "uhas/kinematics/joint_travel.hpp"
 
 namespace uhas {
-
-/// The way of a joint: where it stands open, its closed end, and its opposite (open) end. rad, or metres.
-template <class Real>
-struct JointTravel {
-  Real open{}, closed{}, opposite{};
-};
 
 /// The circle of a point about a joint's axis: p(t) = center + u cos t + v sin t, t = 0 at joint value 0.
 template <class Real>

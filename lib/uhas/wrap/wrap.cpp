@@ -72,9 +72,7 @@ void SphereWrapper::wrap(const Scope& scope, std::span<double> q) {
 
 double SphereWrapper::wrapped_value(const Scope& scope, const CascadeStep& step, std::span<double> q) {
   const Joint& joint = anatomy_.tree.joints[step.joint];
-  const double q_closed = q_closed_[step.joint];
-  const bool closes_upward = joint.upper - q_closed <= q_closed - joint.lower;
-  const JointTravel<double> travel{anatomy_.q_open[step.joint], q_closed, closes_upward ? joint.lower : joint.upper};
+  const JointTravel<double> travel = travel_of(joint, anatomy_.q_open[step.joint], q_closed_[step.joint]);
 
   const bool single = step.driven.size() == 1 && step.driven.front() == step.joint;
   if (joint.kind != JointKind::prismatic && single && step.nodes.size() == 1) {

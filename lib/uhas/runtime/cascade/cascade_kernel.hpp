@@ -54,7 +54,7 @@ void Cascade<Num, Wide>::set_unknown(const Model& model, const SolverStep& step,
   if (step.single) return;
   for (int i : step.driven) {
     const SolverJoint<Real>& joint = model.joints[i];
-    if (i != step.joint) joints_[i].set(joint.value(Num(joint.multiplier) * value.q + Num(joint.offset)));
+    if (i != step.joint) joints_[i].set(joint.value(joint.motion_at(value.q)));
   }
 }
 
@@ -81,7 +81,7 @@ void Cascade<Num, Wide>::begin_joints(const Model& model, const SolverPart& part
   }
   for (int i : part.lateral_followers) {
     const SolverJoint<Real>& joint = joints[i];
-    states[i].set(joint.value(Num(joint.multiplier) * states[joint.master].value.q + Num(joint.offset)));
+    states[i].set(joint.value(joint.motion_at(states[joint.source].value.q)));
   }
 }
 
@@ -263,7 +263,7 @@ void Cascade<Num, Wide>::close_faded(const Model& model, const SolverPart& part)
     const Num blend = state.open_share * state.q + (Num(1) - state.open_share) * Num(joint.q_closed);
     state.q = select(whole, state.q, clamp(blend, Num(joint.lower.q), Num(joint.upper.q)));
     for (int i : step.driven)
-      if (i != step.joint) joints_[i].q = Num(model.joints[i].multiplier) * state.q + Num(model.joints[i].offset);
+      if (i != step.joint) joints_[i].q = model.joints[i].motion_at(state.q);
   }
 }
 
@@ -347,7 +347,7 @@ typename Cascade<Num, Wide>::Descent Cascade<Num, Wide>::descent(const Model& mo
   set_unknown(model, step, value);
   carry_moments(model, step.scope, pass);
   move_frames(model, step.scope);
-  const auto rate = [&](int i) { return Num(i == step.joint ? Real(1) : model.joints[i].multiplier); };
+  const auto rate = [&](int i) { return Num(i == step.joint ? Real(1) : model.joints[i].ratio); };
   Descent sum{Num(0), Num(0)};
   for (int i : step.driven) {
     const PointMoments<Num>& moments = joints_[i].carried;

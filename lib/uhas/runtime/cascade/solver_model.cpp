@@ -32,16 +32,14 @@ RigidTransformd solver_from_profile(const HandProfile& profile, int joint) {
 }
 
 template <class Real>
-SolverJoint<Real> compile_joint(const HandProfile& profile, const SolveOptions& options, int index) {
+SolverJoint<Real> compile_solver_joint(const HandProfile& profile, const SolveOptions& options, int index) {
   const Joint& joint = profile.tree.joints[index];
   const JointTraits& traits = profile.joint_traits[index];
 
   SolverJoint<Real> compiled;
-  compiled.prismatic = joint.kind == JointKind::prismatic;
-  compiled.parent = joint.parent;
-  RigidTransformd T = solver_from_profile(profile, joint.parent) * joint.T_parent_joint * solver_frame(joint);
-  T.translation = T.translation / profile.radius;
-  compiled.T_parent_joint = T.cast<Real>();
+  static_cast<CompiledJoint<Real>&>(compiled) =
+      compile_joint(profile.tree, index, profile.T_palm_sphere.inverse(), {profile.radius, profile.radius})
+          .cast<Real>();
 
   const double unit = compiled.prismatic ? profile.radius : 1.0;
   const auto value = [&](double q) {  // by libm: not in haste
@@ -57,16 +55,7 @@ SolverJoint<Real> compile_joint(const HandProfile& profile, const SolveOptions& 
   const bool from_open = options.rule == CascadeRule::contact && traits.joint_class == JointClass::encompassing;
   compiled.start = value(from_open ? traits.q_open : traits.q_sphere);
   compiled.q_closed = static_cast<Real>(traits.q_closed / unit);
-  const bool closes_upward = joint.upper - traits.q_closed <= traits.q_closed - joint.lower;
-  compiled.travel = {static_cast<Real>(traits.q_open / unit), compiled.q_closed,
-                     closes_upward ? compiled.lower.q : compiled.upper.q};
-  compiled.master = joint.mimic_master;
-  if (joint.mimic_master >= 0) {
-    const double master_unit =
-        profile.tree.joints[joint.mimic_master].kind == JointKind::prismatic ? profile.radius : 1.0;
-    compiled.multiplier = static_cast<Real>(joint.mimic_multiplier * master_unit / unit);
-    compiled.offset = static_cast<Real>(joint.mimic_offset / unit);
-  }
+  compiled.travel = travel_of(joint, traits.q_open, traits.q_closed).in_units_of<Real>(unit);
   return compiled;
 }
 
@@ -215,7 +204,7 @@ std::vector<SolverPart> gather_parts(const HandProfile& profile, const SolverMod
       if (!inside(model.laterals[k].joint)) continue;
       part.laterals.push_back(k);
       for (const ScopedJoint& s : part.tree)
-        if (model.joints[s.joint].master == model.laterals[k].joint) part.lateral_followers.push_back(s.joint);
+        if (model.joints[s.joint].mimics(model.laterals[k].joint)) part.lateral_followers.push_back(s.joint);
     }
     for (int k = 0; k < static_cast<int>(model.steps.size()); ++k)
       if (inside(model.steps[k].driven.front())) part.steps.push_back(k);
@@ -235,7 +224,7 @@ SolverModel<Real>::SolverModel(const HandProfile& profile, const SolveOptions& s
   const int joint_count = static_cast<int>(profile.tree.joints.size());
   const int finger_count = static_cast<int>(profile.fingers.size());
   for (int i = 0; i < joint_count; ++i) {
-    joints.push_back(compile_joint<Real>(profile, options, i));
+    joints.push_back(compile_solver_joint<Real>(profile, options, i));
   }
 
   // the decay rises to 1 over the passes: the last ones descend on the plain weights
@@ -280,7 +269,7 @@ SolverModel<Real>::SolverModel(const HandProfile& profile, const SolveOptions& s
 
   for (int i = 0; i < joint_count; ++i) {
     SolverJoint<Real>& joint = joints[i];
-    if (joint.master >= 0) joint.start = joint.value(joint.multiplier * joints[joint.master].start.q + joint.offset);
+    if (joint.follows) joint.start = joint.value(joint.motion_at(joints[joint.source].start.q));
     joint.decayed_T_parent_start =
         scaled(joint.moved(joint.T_parent_joint, joint.start), joint.decay_inward(passes.front().decay));
   }

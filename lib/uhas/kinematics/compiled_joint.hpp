@@ -21,6 +21,12 @@ struct JointMotion {
   Num motion_at(const Num& q) const {
     return Num(ratio) * q + Num(offset);
   }
+
+  /// The same numbers in another type.
+  template <class To>
+  JointMotion<To> cast() const {
+    return {prismatic, follows, source, static_cast<To>(ratio), static_cast<To>(offset)};
+  }
 };
 
 /// A motion with what it needs: cosine and sine of a turn; 1 and 0 for a shift.
@@ -48,12 +54,9 @@ struct CompiledJoint : JointMotion<Real> {
             F.translation};
   }
 
-  /// The same numbers in another type.
   template <class To>
   CompiledJoint<To> cast() const {
-    return {{this->prismatic, this->follows, this->source, static_cast<To>(this->ratio), static_cast<To>(this->offset)},
-            parent,
-            T_parent_joint.template cast<To>()};
+    return {JointMotion<Real>::template cast<To>(), parent, T_parent_joint.template cast<To>()};
   }
 };
 

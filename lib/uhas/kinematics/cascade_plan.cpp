@@ -7,11 +7,6 @@
 namespace uhas {
 namespace {
 
-int master_of(const KinematicTree& tree, int joint) {
-  const int master = tree.joints[joint].mimic_master;
-  return master < 0 ? joint : master;
-}
-
 /// The first encompassing joint after position `from` of the finger whose origin is off the axis of `finger[from]`;
 /// -1 when there is none. Joints that meet in one point do not move each other's origin.
 int next_displaced_joint(const KinematicTree& tree, std::span<const int> finger, std::size_t from,
@@ -41,7 +36,7 @@ std::vector<CascadeStep> plan_cascade(const KinematicTree& tree, std::span<const
   std::vector<CascadeStep> steps;
   for (int f = 0; f < static_cast<int>(finger_joints.size()); ++f) {
     for (int joint : finger_joints[f]) {
-      const int master = master_of(tree, joint);
+      const int master = independent_joint(tree, joint);
       if (classes[master] != JointClass::encompassing) continue;
       auto step = std::find_if(steps.begin(), steps.end(), [&](const CascadeStep& s) { return s.joint == master; });
       if (step == steps.end())

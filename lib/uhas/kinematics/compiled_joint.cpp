@@ -1,6 +1,7 @@
 #include "uhas/kinematics/compiled_joint.hpp"
 
 #include "uhas/kinematics/axis_frame.hpp"
+#include "uhas/kinematics/mimics.hpp"
 
 namespace uhas {
 
@@ -13,7 +14,7 @@ CompiledJoint<double> compile_joint(const KinematicTree& tree, int index, const 
   const auto one = [&](int i, double length) { return tree.joints[i].kind == JointKind::prismatic ? length : 1.0; };
   compiled.prismatic = joint.kind == JointKind::prismatic;
   compiled.follows = joint.mimic_master >= 0;
-  compiled.source = compiled.follows ? joint.mimic_master : index;
+  compiled.source = independent_joint(tree, index);
   const double unit = one(index, units.motion);
   compiled.ratio = (compiled.follows ? joint.mimic_multiplier : 1.0) * one(compiled.source, units.q) / unit;
   compiled.offset = (compiled.follows ? joint.mimic_offset : 0.0) / unit;

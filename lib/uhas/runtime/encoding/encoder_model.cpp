@@ -4,8 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "uhas/kinematics/finger_groups.hpp"
 #include "uhas/kinematics/forward_kinematics.hpp"
 #include "uhas/kinematics/lateral_lookup.hpp"
+#include "uhas/kinematics/mimics.hpp"
 #include "uhas/runtime/encoding/damped_least_squares.hpp"
 
 namespace uhas {
@@ -15,43 +17,33 @@ bool contains(const std::vector<int>& list, int value) {
   return std::find(list.begin(), list.end(), value) != list.end();
 }
 
-void add_new(std::vector<int>& list, int value) {
-  if (!contains(list, value)) list.push_back(value);
+/// Fingers that share a joint are sought together; in the reading `field` all are, for each point follows two planes.
+std::vector<std::vector<int>> fingers_sought_together(const HandProfile& profile, FieldReading field) {
+  std::vector<std::vector<int>> joints;
+  for (const ProfileFinger& finger : profile.fingers) joints.push_back(independent_joints(profile.tree, finger.joints));
+  if (field == FieldReading::finger) return group_fingers(joints);
+  std::vector<int> all;
+  for (int f = static_cast<int>(joints.size()); f-- > 0;) all.push_back(f);
+  return {all};
 }
 
-/// The independent joints that move `finger`.
-std::vector<int> independent_joints(const HandProfile& profile, const ProfileFinger& finger) {
-  std::vector<int> joints;
-  for (int joint : finger.joints) {
-    const int master = profile.tree.joints[joint].mimic_master;
-    add_new(joints, master < 0 ? joint : master);
-  }
-  return joints;
-}
-
-/// Fingers that share a joint stand in one group; in the reading `field` all do, for each point follows two planes.
-std::vector<FingerGroup> group_fingers(const HandProfile& profile, FieldReading field, int vectors) {
+/// The joints and the unknowns of each group, displacements before azimuths: a descent that moves the displacements
+/// alone takes the first of them.
+std::vector<FingerGroup> compile_groups(const HandProfile& profile, FieldReading field, int vectors) {
   std::vector<FingerGroup> groups;
-  for (int f = 0; f < static_cast<int>(profile.fingers.size()); ++f) {
-    FingerGroup group{.fingers = {f}, .joints = independent_joints(profile, profile.fingers[f]), .unknowns = {}};
-    const auto is_apart = [&](const FingerGroup& other) {
-      return field == FieldReading::finger &&
-             std::none_of(other.joints.begin(), other.joints.end(), [&](int j) { return contains(group.joints, j); });
-    };
-    const auto joined = std::stable_partition(groups.begin(), groups.end(), is_apart);
-    for (auto other = joined; other != groups.end(); ++other) {
-      group.fingers.insert(group.fingers.end(), other->fingers.begin(), other->fingers.end());
-      for (int joint : other->joints) add_new(group.joints, joint);
-    }
-    groups.erase(joined, groups.end());
-    groups.push_back(group);
-  }
-  for (FingerGroup& group : groups) {
-    for (int f : group.fingers)
+  for (std::vector<int>& fingers : fingers_sought_together(profile, field)) {
+    FingerGroup group;
+    std::vector<int> joints;
+    for (int f : fingers)
+      joints.insert(joints.end(), profile.fingers[f].joints.begin(), profile.fingers[f].joints.end());
+    group.joints = independent_joints(profile.tree, joints);
+    for (int f : fingers)
       for (int j = 1; j <= vectors; ++j) group.unknowns.push_back({f, j});
     group.displacements = static_cast<int>(group.unknowns.size());
-    for (int f : group.fingers)
+    for (int f : fingers)
       if (profile.fingers[f].lateral_table >= 0) group.unknowns.push_back({f, 0});
+    group.fingers = std::move(fingers);
+    groups.push_back(std::move(group));
   }
   return groups;
 }
@@ -91,7 +83,7 @@ EncoderModel::EncoderModel(const HandProfile& profile, const SolveOptions& optio
       center_palm(profile.T_palm_sphere.translation),
       tree(profile.tree),
       lateral_tables(profile.lateral_tables),
-      groups(group_fingers(profile, options.field, vectors)) {
+      groups(compile_groups(profile, options.field, vectors)) {
   for (const Joint& joint : tree.joints) unit.push_back(joint.kind == JointKind::prismatic ? radius : 1.0);
   for (const ProfileFinger& finger : profile.fingers) fingers.push_back(compile_finger(profile, finger, vectors));
 }

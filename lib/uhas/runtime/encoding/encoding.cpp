@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "uhas/kinematics/forward_kinematics.hpp"
+#include "uhas/kinematics/mimics.hpp"
 #include "uhas/runtime/encoding/damped_least_squares.hpp"
 
 namespace uhas {

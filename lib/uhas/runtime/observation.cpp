@@ -63,14 +63,10 @@ Status Observer<Real>::observe_batch(std::span<const Real> q, std::span<const Re
 template <class Real>
 Status Observer<Real>::observe_each(const Real* q, const Real* qd, std::size_t count, Real* observations) noexcept {
   const std::size_t joints = bodies_.size();
-
-  // one bad number refuses all; those of mimic followers are not read
   for (std::size_t n = 0; n < count; ++n)
     for (const auto& joint : model_->joints)
       if (!std::isfinite(q[n * joints + joint.source]) || !std::isfinite(qd[n * joints + joint.source]))
         return Status::non_finite_input;
-
-  // one hand after the other
   const auto turn = [](Real angle) { return SinCos<Real>{.sine = std::sin(angle), .cosine = std::cos(angle)}; };
   for (std::size_t n = 0; n < count; ++n) {
     move_bodies<Real, Real>(*model_, q + n * joints, qd + n * joints, turn, bodies_.data());

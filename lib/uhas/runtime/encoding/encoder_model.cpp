@@ -48,7 +48,8 @@ std::vector<FingerGroup> compile_groups(const HandProfile& profile, FieldReading
   return groups;
 }
 
-/// Hat functions of V driving vectors at phi_j = pi j / (V + 1): all 0 at the anchored pole, constant beyond the last.
+/// Hat functions of V driving vectors at phi_j = pi j / (V + 1): all 0 at the anchored pole, constant beyond the last,
+/// linear between (docs/method.md#driving-planes).
 std::array<double, kMaxDrivingVectors> hats_at(double phi, int vectors) {
   const double position = std::min(phi * (vectors + 1) / std::numbers::pi, double(vectors));  // j at driving vector j
   std::array<double, kMaxDrivingVectors> hat{};
@@ -58,11 +59,15 @@ std::array<double, kMaxDrivingVectors> hats_at(double phi, int vectors) {
 
 EncoderFinger compile_finger(const HandProfile& profile, const ProfileFinger& finger, int vectors) {
   EncoderFinger compiled{.slots = finger.slots, .lateral_table = finger.lateral_table, .points = {}};
+
+  // bounds of its numbers; delta theta stays 0 without a table
   for (int j = 1; j <= vectors; ++j) compiled.lower[j] = -kRadialBound, compiled.upper[j] = kRadialBound;
   if (finger.lateral_table >= 0) {
     const LateralTable& table = profile.lateral_tables[finger.lateral_table];
     compiled.lower[0] = table.delta_theta_lower, compiled.upper[0] = table.delta_theta_upper;
   }
+
+  // weighted points on its links
   for (const Correspondence& c : profile.correspondences) {
     const ProfileLink& link = profile.links[c.link];
     if (c.weight <= 0 || !contains(finger.joints, link.joint)) continue;
@@ -93,6 +98,8 @@ void EncoderModel::start(std::span<const double> q, std::span<RigidTransformd> T
   forward_kinematics(tree, q, T_palm_joint);
   for (std::size_t f = 0; f < fingers.size(); ++f) {
     const EncoderFinger& finger = fingers[f];
+
+    // delta r: each point should stand at its rest radius plus what the driving vectors add at its polar angle
     DampedLeastSquares<kMaxDrivingVectors> displacements(driving_vectors);
     double total_weight = 0;
     for (const EncoderPoint& point : finger.points) {
@@ -107,6 +114,8 @@ void EncoderModel::start(std::span<const double> q, std::span<RigidTransformd> T
     FingerAction& action = actions[f];
     action = {};
     for (int j = 1; j <= driving_vectors; ++j) action[j] = std::clamp(delta_r[j - 1], finger.lower[j], finger.upper[j]);
+
+    // delta theta: where the lateral joint stands in its table
     if (finger.lateral_table < 0) continue;
     const LateralTable& table = lateral_tables[finger.lateral_table];
     action[0] =
@@ -119,6 +128,8 @@ HandProfile with_wider_limits(HandProfile profile) {
   for (std::size_t i = 0; i < profile.tree.joints.size(); ++i) {
     if (profile.joint_traits[i].joint_class != JointClass::encompassing) continue;
     Joint& joint = profile.tree.joints[i];
+
+    // a turn gets no more than half of what is left of the circle on either side
     const double free_arc = std::max(2 * std::numbers::pi - (joint.upper - joint.lower), 0.0);
     const double wider =
         joint.kind == JointKind::prismatic ? widening * profile.radius : std::min(widening, free_arc / 2);

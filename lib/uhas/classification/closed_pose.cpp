@@ -7,6 +7,7 @@
 #include "uhas/anatomy/config_names.hpp"
 #include "uhas/classification/finger_sweep.hpp"
 #include "uhas/kinematics/forward_kinematics.hpp"
+#include "uhas/kinematics/mimics.hpp"
 
 namespace uhas {
 namespace {

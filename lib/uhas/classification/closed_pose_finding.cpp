@@ -4,6 +4,7 @@
 
 #include "uhas/classification/finger_sweep.hpp"
 #include "uhas/kinematics/forward_kinematics.hpp"
+#include "uhas/kinematics/mimics.hpp"
 
 namespace uhas {
 namespace {

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 
-namespace uhas {
+#include "uhas/kinematics/mimics.hpp"
 
-bool turns_with(const KinematicTree& tree, int other, int joint) {
-  return other == joint || tree.joints[other].mimic_master == joint;
-}
+namespace uhas {
 
 std::vector<int> fingers_moved(const Anatomy& anatomy, int joint) {
   std::vector<int> fingers;
@@ -16,13 +14,6 @@ std::vector<int> fingers_moved(const Anatomy& anatomy, int joint) {
       fingers.push_back(f);
   }
   return fingers;
-}
-
-void set_with_followers(const KinematicTree& tree, int joint, double value, std::span<double> q) {
-  q[joint] = value;
-  for (int i = 0; i < static_cast<int>(tree.joints.size()); ++i)
-    if (tree.joints[i].mimic_master == joint)
-      q[i] = tree.joints[i].mimic_multiplier * value + tree.joints[i].mimic_offset;
 }
 
 std::vector<int> joints_further_out(const Anatomy& anatomy, int finger, int joint) {

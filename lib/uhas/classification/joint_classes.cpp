@@ -6,6 +6,7 @@
 #include "uhas/base/spherical.hpp"
 #include "uhas/classification/finger_sweep.hpp"
 #include "uhas/kinematics/forward_kinematics.hpp"
+#include "uhas/kinematics/mimics.hpp"
 
 namespace uhas {
 namespace {

@@ -7,18 +7,16 @@
 namespace uhas {
 namespace {
 
-int master_of(const KinematicTree& tree, int joint) {
-  const int master = tree.joints[joint].mimic_master;
-  return master < 0 ? joint : master;
-}
-
 /// The first encompassing joint after position `from` of the finger whose origin is off the axis of `finger[from]`;
 /// -1 when there is none. Joints that meet in one point do not move each other's origin.
 int next_displaced_joint(const KinematicTree& tree, std::span<const int> finger, std::size_t from,
                          std::span<const JointClass> classes, std::span<const RigidTransformd> T_root_joint) {
+  // the axis, and the length against which an arm is judged
   const RigidTransformd& T_axis = T_root_joint[finger[from]];
   const Vector3d axis = T_axis.rotation * tree.joints[finger[from]].axis;
   const double length = norm(T_root_joint[finger.back()].translation - T_axis.translation);
+
+  // a shift moves every joint further out, a turn those that have an arm
   for (std::size_t i = from + 1; i < finger.size(); ++i) {
     if (classes[finger[i]] != JointClass::encompassing) continue;
     const Vector3d offset = T_root_joint[finger[i]].translation - T_axis.translation;
@@ -34,14 +32,11 @@ int next_displaced_joint(const KinematicTree& tree, std::span<const int> finger,
 
 std::vector<CascadeStep> plan_cascade(const KinematicTree& tree, std::span<const std::vector<int>> finger_joints,
                                       std::span<const JointClass> classes, std::span<const double> q) {
-  std::vector<RigidTransformd> T_root_joint(tree.joints.size());
-  forward_kinematics(tree, q, T_root_joint);
-
   // gather each unknown's joints and fingers; fingers in order and joints root to tip give the solving order
   std::vector<CascadeStep> steps;
   for (int f = 0; f < static_cast<int>(finger_joints.size()); ++f) {
     for (int joint : finger_joints[f]) {
-      const int master = master_of(tree, joint);
+      const int master = independent_joint(tree, joint);
       if (classes[master] != JointClass::encompassing) continue;
       auto step = std::find_if(steps.begin(), steps.end(), [&](const CascadeStep& s) { return s.joint == master; });
       if (step == steps.end())
@@ -51,8 +46,14 @@ std::vector<CascadeStep> plan_cascade(const KinematicTree& tree, std::span<const
       if (std::find(step->fingers.begin(), step->fingers.end(), f) == step->fingers.end()) step->fingers.push_back(f);
     }
   }
+
+  // unknowns that move several fingers go before those fingers
   std::stable_partition(steps.begin(), steps.end(), [](const CascadeStep& s) { return s.fingers.size() > 1; });
 
+  // the node of each step on each finger (docs/method.md#wrap): of a joint by itself the next one that it moves, of
+  // coupled joints the fingertip
+  std::vector<RigidTransformd> T_root_joint(tree.joints.size());
+  forward_kinematics(tree, q, T_root_joint);
   for (CascadeStep& step : steps) {
     std::sort(step.driven.begin(), step.driven.end());
     for (int f : step.fingers) {

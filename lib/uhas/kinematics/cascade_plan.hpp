@@ -28,7 +28,8 @@ struct CascadeStep {
 /// root to tip.
 /// @param finger_joints  joint indices root to tip, one list a finger
 /// @param classes        one a joint of `tree`
-/// @param q              the pose in which it is judged what a step displaces (one value a joint): q_open, for wrap and solver alike
+/// @param q              [joint] the pose in which it is judged what a step displaces: q_open, for wrap and solver
+///                       alike
 std::vector<CascadeStep> plan_cascade(const KinematicTree& tree, std::span<const std::vector<int>> finger_joints,
                                       std::span<const JointClass> classes, std::span<const double> q);
 

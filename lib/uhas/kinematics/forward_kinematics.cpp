@@ -4,13 +4,6 @@
 
 namespace uhas {
 
-void apply_mimics(const KinematicTree& tree, std::span<double> q) {
-  for (std::size_t i = 0; i < tree.joints.size(); ++i) {
-    const Joint& joint = tree.joints[i];
-    if (joint.mimic_master >= 0) q[i] = joint.mimic_multiplier * q[joint.mimic_master] + joint.mimic_offset;
-  }
-}
-
 RigidTransformd joint_motion(const Joint& joint, double q) {
   if (joint.kind == JointKind::prismatic) return {{}, q * joint.axis};
   return {Rotationd::about(joint.axis, q), {}};

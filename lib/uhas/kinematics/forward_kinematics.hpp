@@ -5,12 +5,10 @@
 #include <vector>
 
 #include "uhas/base/kinematic_tree.hpp"
+#include "uhas/kinematics/mimics.hpp"
 #include "uhas/profile/hand_profile.hpp"
 
 namespace uhas {
-
-/// Overwrites every mimic follower in `q` by multiplier * q[master] + offset. `q`: one value a joint of `tree`.
-void apply_mimics(const KinematicTree& tree, std::span<double> q);
 
 /// Transform of a joint's moved frame relative to its frame at q = 0: a turn about, or a shift along, the axis.
 RigidTransformd joint_motion(const Joint& joint, double q);

@@ -6,8 +6,10 @@
 
 #include "uhas/base/errors.hpp"
 #include "uhas/base/spherical.hpp"
+#include "uhas/classification/finger_sweep.hpp"
 #include "uhas/kinematics/forward_kinematics.hpp"
 #include "uhas/kinematics/lateral_lookup.hpp"
+#include "uhas/kinematics/mimics.hpp"
 
 namespace uhas {
 namespace {
@@ -49,11 +51,8 @@ struct Hand {
 /// with the lowest slot; -1 = none.
 int finger_of(const Anatomy& anatomy, const SphereFrame& frame, int joint) {
   int lowest = -1;
-  for (int f = 0; f < static_cast<int>(anatomy.fingers.size()); ++f)
-    for (int j : anatomy.fingers[f].joints)
-      if ((j == joint || anatomy.tree.joints[j].mimic_master == joint) &&
-          (lowest < 0 || frame.own_slot[f] < frame.own_slot[lowest]))
-        lowest = f;
+  for (int f : fingers_moved(anatomy, joint))
+    if (lowest < 0 || frame.own_slot[f] < frame.own_slot[lowest]) lowest = f;
   return lowest;
 }
 
@@ -207,8 +206,7 @@ bool moves_its_tip(const Hand& hand, int joint, int finger, std::vector<double> 
   forward_kinematics(hand.anatomy.tree, q, T_palm_joint);
   const Vector3d tip = fingertip_in_sphere(hand.anatomy, hand.frame, finger, q);
   const double arm = norm(hand.frame.T_palm_sphere * tip - T_palm_joint[joint].translation);
-  q[joint] += step;
-  apply_mimics(hand.anatomy.tree, q);
+  set_with_followers(hand.anatomy.tree, joint, q[joint] + step, q);
   return norm(fingertip_in_sphere(hand.anatomy, hand.frame, finger, q) - tip) >= least_share * arm * step;
 }
 

@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "uhas/base/homogeneous_matrix.hpp"
 #include "uhas/base/spherical.hpp"
 #include "uhas/report/posed_hand.hpp"
 #include "uhas/report/sphere_colour.hpp"
@@ -82,11 +83,8 @@ Shape correspondence_shape(const HandProfile& profile, std::span<const RigidTran
 }
 
 aiMatrix4x4 to_assimp(const RigidTransformd& T) {
-  const auto f = [](double x) { return static_cast<ai_real>(x); };
-  const auto& R = T.rotation.m;
-  const Vector3d& p = T.translation;
-  return {f(R[0]), f(R[1]), f(R[2]), f(p.x), f(R[3]), f(R[4]), f(R[5]), f(p.y),
-          f(R[6]), f(R[7]), f(R[8]), f(p.z), 0,       0,       0,       1};
+  const auto m = homogeneous_matrix<ai_real>(T);
+  return {m[0], m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8], m[9], m[10], m[11], m[12], m[13], m[14], m[15]};
 }
 
 // assimp's structures own their arrays and delete them; until they have them, unique_ptr does

@@ -47,8 +47,8 @@ class Encoder {
   int joint_count() const noexcept;  ///< length of q: every joint of the profile, mimic followers included
   int action_size() const noexcept;  ///< 5 + 5 V
 
-  /// @param q       [joint_count()] rad (m for sliding joints), in the profile's joint order. A value beyond the limits is
-  ///                encoded as the limit; a continuous joint may be any number of turns away. The elements of mimic
+  /// @param q       [joint_count()] rad (m for sliding joints), in the profile's joint order. A value beyond the limits
+  ///                is encoded as the limit; a continuous joint may be any number of turns away. The elements of mimic
   ///                followers are not read: their masters decide.
   /// @param action  [action_size()] rad and sphere radii, not normalised, within bounds; the slots of a finger hold one
   ///                value

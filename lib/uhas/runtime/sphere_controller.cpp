@@ -5,6 +5,8 @@
 #include <limits>
 #include <string>
 
+#include "uhas/kinematics/mimics.hpp"
+
 namespace uhas {
 namespace {
 
@@ -19,7 +21,7 @@ std::vector<double> group_velocities(const KinematicTree& tree, double scale) {
     const Joint& joint = tree.joints[i];
     const double multiplier = joint.mimic_master < 0 ? 1 : std::abs(joint.mimic_multiplier);
     if (joint.velocity_limit <= 0 || multiplier <= 0) continue;
-    double& velocity = velocities[joint.mimic_master < 0 ? i : joint.mimic_master];
+    double& velocity = velocities[independent_joint(tree, static_cast<int>(i))];
     velocity = std::min(velocity, scale * joint.velocity_limit / multiplier);
   }
   return velocities;

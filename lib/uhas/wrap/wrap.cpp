@@ -1,9 +1,12 @@
 #include "uhas/wrap/wrap.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "uhas/kinematics/contact.hpp"
+#include "uhas/kinematics/finger_groups.hpp"
 #include "uhas/kinematics/forward_kinematics.hpp"
+#include "uhas/kinematics/mimics.hpp"
 
 namespace uhas {
 
@@ -22,34 +25,25 @@ SphereWrapper::SphereWrapper(const Anatomy& anatomy, const SphereFrame& frame,
     if (joint_classes[i] == JointClass::encompassing) encompassing_.push_back(static_cast<int>(i));
 
   steps_ = plan_cascade(anatomy.tree, finger_joints, joint_classes, anatomy.q_open);
-  whole_hand_ = scope_of(std::vector<bool>(anatomy.fingers.size(), true));
-  for (std::size_t f = 0; f < anatomy.fingers.size(); ++f) {
-    std::vector<bool> fingers(anatomy.fingers.size());
-    fingers[f] = true;
-    of_finger_.push_back(scope_of(std::move(fingers)));
-  }
+  std::vector<int> all_fingers(anatomy.fingers.size());
+  std::iota(all_fingers.begin(), all_fingers.end(), 0);
+  whole_hand_ = scope_of(all_fingers);
+
+  // the fingertip depends on the finger's own unknowns and on those that these are solved with
+  std::vector<std::vector<int>> unknowns(anatomy.fingers.size());
+  for (const CascadeStep& step : steps_)
+    for (int f : step.fingers) unknowns[f].push_back(step.joint);
+  of_finger_.resize(anatomy.fingers.size());
+  for (const std::vector<int>& group : group_fingers(unknowns))
+    for (int f : group) of_finger_[f] = scope_of(group);
 }
 
-// the fingers given and those that share an unknown with them, directly or through others
-SphereWrapper::Scope SphereWrapper::scope_of(std::vector<bool> fingers) const {
-  const auto concerns = [&](const CascadeStep& step) {
-    return std::ranges::any_of(step.fingers, [&](int f) { return fingers[f]; });
-  };
-  for (bool grows = true; grows;) {
-    grows = false;
-    for (const CascadeStep& step : steps_) {
-      if (!concerns(step)) continue;
-      for (int f : step.fingers)
-        if (!fingers[f]) fingers[f] = grows = true;
-    }
-  }
-
+SphereWrapper::Scope SphereWrapper::scope_of(std::span<const int> fingers) const {
   Scope scope;
   for (const CascadeStep& step : steps_)
-    if (concerns(step)) scope.steps.push_back(&step);
+    if (std::ranges::find_first_of(step.fingers, fingers) != step.fingers.end()) scope.steps.push_back(&step);
   std::vector<bool> needed(anatomy_.tree.joints.size());
-  for (std::size_t f = 0; f < fingers.size(); ++f) {
-    if (!fingers[f]) continue;
+  for (int f : fingers) {
     for (int i : anatomy_.fingers[f].joints) needed[i] = true;
     if (const int tip = anatomy_.links[anatomy_.fingers[f].tip_link].joint; tip >= 0) needed[tip] = true;
   }
@@ -67,18 +61,17 @@ void SphereWrapper::wrap_finger(int finger, std::span<double> q) { wrap(of_finge
 void SphereWrapper::wrap(const Scope& scope, std::span<double> q) {
   for (int i : encompassing_) q[i] = anatomy_.q_open[i];
   apply_mimics(anatomy_.tree, q);
-  for (const CascadeStep* step : scope.steps) set(q, step->joint, wrapped_value(scope, *step, q));
+  for (const CascadeStep* step : scope.steps)
+    set_with_followers(anatomy_.tree, step->joint, wrapped_value(scope, *step, q), q);
 }
 
 double SphereWrapper::wrapped_value(const Scope& scope, const CascadeStep& step, std::span<double> q) {
   const Joint& joint = anatomy_.tree.joints[step.joint];
-  const double q_closed = q_closed_[step.joint];
-  const bool closes_upward = joint.upper - q_closed <= q_closed - joint.lower;
-  const JointTravel<double> travel{anatomy_.q_open[step.joint], q_closed, closes_upward ? joint.lower : joint.upper};
+  const JointTravel<double> travel = travel_of(joint, anatomy_.q_open[step.joint], q_closed_[step.joint]);
 
   const bool single = step.driven.size() == 1 && step.driven.front() == step.joint;
   if (joint.kind != JointKind::prismatic && single && step.nodes.size() == 1) {
-    set(q, step.joint, 0);
+    set_with_followers(anatomy_.tree, step.joint, 0, q);
     place(scope, q);
     const RigidTransformd T = T_sphere_palm_ * T_palm_joint_[step.joint];
     const auto circle =
@@ -86,18 +79,13 @@ double SphereWrapper::wrapped_value(const Scope& scope, const CascadeStep& step,
     return first_contact_with_sphere(circle, travel);
   }
   const auto mean_gap = [&](double value) {
-    set(q, step.joint, value);
+    set_with_followers(anatomy_.tree, step.joint, value, q);
     place(scope, q);
     double sum = 0;
     for (const ContactNode& node : step.nodes) sum += norm(point(node)) - 1;
     return sum / static_cast<double>(step.nodes.size());
   };
   return first_contact_by_scan<double>(mean_gap, travel);
-}
-
-void SphereWrapper::set(std::span<double> q, int joint, double value) const {
-  q[joint] = value;
-  apply_mimics(anatomy_.tree, q);
 }
 
 void SphereWrapper::place(const Scope& scope, std::span<const double> q) {

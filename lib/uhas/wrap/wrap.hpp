@@ -33,10 +33,9 @@ class SphereWrapper {
     std::vector<int> joints;  // increasing; each with its parents
   };
 
-  Scope scope_of(std::vector<bool> fingers) const;
+  Scope scope_of(std::span<const int> fingers) const;
   void wrap(const Scope& scope, std::span<double> q);
   double wrapped_value(const Scope& scope, const CascadeStep& step, std::span<double> q);
-  void set(std::span<double> q, int joint, double value) const;
   void place(const Scope& scope, std::span<const double> q);
   Vector3d point(const ContactNode& node) const;
 

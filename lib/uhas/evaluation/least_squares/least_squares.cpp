@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "uhas/base/spherical.hpp"
 #include "uhas/evaluation/least_squares/driving_plane.hpp"
+#include "uhas/kinematics/finger_groups.hpp"
 #include "uhas/kinematics/forward_kinematics.hpp"
+#include "uhas/kinematics/mimics.hpp"
 
 namespace uhas {
 namespace {
@@ -17,32 +20,20 @@ bool contains(const std::vector<int>& list, int value) {
 }  // namespace
 
 std::vector<LeastSquares> LeastSquares::of_hand(const HandProfile& profile) {
-  std::vector<LeastSquares> problems;
-  for (int f = 0; f < static_cast<int>(profile.fingers.size()); ++f) {
-    LeastSquares problem(profile);
-    problem.fingers_ = {f};
-    for (int joint : profile.fingers[f].joints) {
-      const int master = profile.tree.joints[joint].mimic_master, unknown = master < 0 ? joint : master;
-      if (profile.joint_traits[unknown].joint_class == JointClass::encompassing &&
-          !contains(problem.unknowns_, unknown))
-        problem.unknowns_.push_back(unknown);
-    }
-    // fingers that share an unknown are one problem
-    for (std::size_t k = 0; k < problems.size();) {
-      const std::vector<int>& others = problems[k].unknowns_;
-      if (std::none_of(others.begin(), others.end(), [&](int u) { return contains(problem.unknowns_, u); })) {
-        ++k;
-        continue;
-      }
-      problem.fingers_.insert(problem.fingers_.begin(), problems[k].fingers_.begin(), problems[k].fingers_.end());
-      for (int u : others)
-        if (!contains(problem.unknowns_, u)) problem.unknowns_.push_back(u);
-      problems.erase(problems.begin() + static_cast<std::ptrdiff_t>(k));
-    }
-    problems.push_back(std::move(problem));
+  std::vector<std::vector<int>> unknowns;  // [finger]
+  for (const ProfileFinger& finger : profile.fingers) {
+    unknowns.push_back(independent_joints(profile.tree, finger.joints));
+    std::erase_if(unknowns.back(),
+                  [&](int joint) { return profile.joint_traits[joint].joint_class != JointClass::encompassing; });
   }
-  for (LeastSquares& problem : problems) {
-    std::sort(problem.unknowns_.begin(), problem.unknowns_.end());
+
+  std::vector<LeastSquares> problems;
+  for (const std::vector<int>& group : group_fingers(unknowns)) {
+    LeastSquares& problem = problems.emplace_back(LeastSquares(profile));
+    problem.fingers_.assign(group.rbegin(), group.rend());
+    std::set<int> of_group;
+    for (int f : group) of_group.insert(unknowns[f].begin(), unknowns[f].end());
+    problem.unknowns_.assign(of_group.begin(), of_group.end());
     problem.add_points();
   }
   std::erase_if(problems, [](const LeastSquares& p) { return p.unknowns_.empty() || p.points_.empty(); });
@@ -105,9 +96,7 @@ double LeastSquares::rms(std::span<const double> q) {
 double LeastSquares::mean_square(std::span<double> q, std::span<const double> x, std::span<double> gradient) {
   const std::vector<Joint>& joints = profile_->tree.joints;
   for (std::size_t i = 0; i < x.size(); ++i) q[unknowns_[i]] = x[i];
-  for (int j : joints_)
-    if (joints[j].mimic_master >= 0)
-      q[j] = joints[j].mimic_multiplier * q[joints[j].mimic_master] + joints[j].mimic_offset;
+  apply_mimics(profile_->tree, q);
   place(q);
   std::fill(gradient.begin(), gradient.end(), 0.0);
 
@@ -133,7 +122,7 @@ double LeastSquares::mean_square(std::span<double> q, std::span<const double> x,
     const double rate = joint.kind == JointKind::prismatic
                             ? dot(axis, moments[j].force)
                             : dot(axis, moments[j].torque - cross(origin, moments[j].force));
-    const int unknown = joint.mimic_master < 0 ? j : joint.mimic_master;
+    const int unknown = independent_joint(profile_->tree, j);
     const auto at = std::lower_bound(unknowns_.begin(), unknowns_.end(), unknown);
     if (at != unknowns_.end() && *at == unknown)
       gradient[at - unknowns_.begin()] +=

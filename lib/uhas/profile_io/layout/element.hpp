@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "uhas/base/rigid_transform.hpp"
+#include "uhas/base/homogeneous_matrix.hpp"
 
 namespace uhas {
 
@@ -85,10 +85,7 @@ struct Element<RigidTransformd> {
   using Number = double;
   static constexpr std::array<std::uint64_t, 2> shape{4, 4};
   static void store(const RigidTransformd& T, Number* numbers) {
-    const auto& R = T.rotation.m;
-    const Vector3d& p = T.translation;
-    const std::array<double, 16> matrix{R[0], R[1], R[2], p.x, R[3], R[4], R[5], p.y,
-                                        R[6], R[7], R[8], p.z, 0,    0,    0,    1};
+    const std::array<double, 16> matrix = homogeneous_matrix(T);
     std::copy(matrix.begin(), matrix.end(), numbers);
   }
   static bool load(const Number* m, RigidTransformd& T) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "uhas/base/errors.hpp"
+#include "uhas/base/homogeneous_matrix.hpp"
 #include "uhas/kinematics/forward_kinematics.hpp"
 #include "uhas/profile_io/flat_profile.hpp"
 #include "uhas/runtime/cascade_solver.hpp"
@@ -50,10 +51,9 @@ std::optional<Hand> hand;
 Action<double> current_action() { return {.values = action_values, .driving_vectors_phi = action_phi}; }
 
 void write_matrix(const RigidTransformd& T, float* column_major) {
-  const auto& R = T.rotation.m;
-  const Vector3d& p = T.translation;
-  const double columns[16] = {R[0], R[3], R[6], 0, R[1], R[4], R[7], 0, R[2], R[5], R[8], 0, p.x, p.y, p.z, 1};
-  for (int i = 0; i < 16; ++i) column_major[i] = static_cast<float>(columns[i]);
+  const std::array<float, 16> row_major = homogeneous_matrix<float>(T);
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) column_major[4 * j + i] = row_major[4 * i + j];
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "uhas/base/errors.hpp"
+#include "uhas/base/homogeneous_matrix.hpp"
 #include "uhas/geometry/simplified_geometry.hpp"
 #include "uhas/profile_io/flat_profile.hpp"
 #include "uhas/report/html/base64.hpp"
@@ -22,12 +23,6 @@ constexpr std::size_t kMostPoints = 6'000;
 constexpr int kDefaultDrivingVectors = 2;
 
 Json vector_json(Vector3d v) { return {v.x, v.y, v.z}; }
-
-Json matrix_json(const RigidTransformd& T) {
-  const auto& R = T.rotation.m;
-  const Vector3d& p = T.translation;
-  return {R[0], R[1], R[2], p.x, R[3], R[4], R[5], p.y, R[6], R[7], R[8], p.z, 0, 0, 0, 1};
-}
 
 void append(std::vector<float>& numbers, Vector3d v) {
   for (const double number : {v.x, v.y, v.z}) numbers.push_back(static_cast<float>(number));
@@ -254,7 +249,7 @@ Json hand_json(const ReportHand& hand) {
           {"planes", planes(profile)},
           {"driving_vectors_phi", driving_vectors_phi(hand.timeline)},
           {"palm_normal_palm", vector_json(profile.T_palm_sphere.rotation.column(2))},
-          {"T_palm_sphere", matrix_json(profile.T_palm_sphere)},
+          {"T_palm_sphere", homogeneous_matrix(profile.T_palm_sphere)},
           {"radius", profile.radius},
           {"mirrored", profile.mirrored},
           {"timeline", has_actions ? timeline_json(profile, *hand.timeline) : Json()},

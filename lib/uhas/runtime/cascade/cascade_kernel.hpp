@@ -71,7 +71,7 @@ void Cascade<Num, Wide>::begin_joints(const Model& model, const SolverPart& part
   // joints that mimic one of these
   for (int i : part.lateral_followers) {
     const SolverJoint<Real>& joint = joints[i];
-    states[i].set(joint.value(joint.motion_at(states[joint.master].value.q)));
+    states[i].set(joint.value(joint.motion_at(states[joint.source].value.q)));
   }
 }
 

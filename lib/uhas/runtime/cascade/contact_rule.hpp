@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "uhas/kinematics/contact.hpp"
 #include "uhas/runtime/cascade/cascade.hpp"
 
 namespace uhas {

@@ -55,7 +55,7 @@ typename Cascade<Num, Wide>::Descent Cascade<Num, Wide>::descent(const Model& mo
   carry_moments(model, step.scope, pass);
   move_frames(model, step.scope);
   // each joint by itself, as fast as the unknown moves it
-  const auto rate = [&](int i) { return Num(i == step.joint ? Real(1) : model.joints[i].multiplier); };
+  const auto rate = [&](int i) { return Num(i == step.joint ? Real(1) : model.joints[i].ratio); };
   Descent sum{Num(0), Num(0)};
   for (int i : step.driven) {
     const PointMoments<Num>& moments = joints_[i].carried;

@@ -124,7 +124,7 @@ class FingerAtRest {
   /// Independent joints from `outer` inward to `inner`, which is not counted; -1 when that does not carry it.
   int joints_between(int inner, int outer) const {
     int count = 0;
-    for (; outer > inner; outer = joints_[outer].parent) count += joints_[outer].master < 0;
+    for (; outer > inner; outer = joints_[outer].parent) count += !joints_[outer].follows;
     return outer == inner ? count : -1;
   }
 
@@ -134,7 +134,7 @@ class FingerAtRest {
     for (int i : step.driven) {
       if (joints_between(i, point.joint) < 0) continue;
       const Vector3d z = T_S_joint_[i].rotation.column(2);
-      const double rate = i == step.joint ? 1.0 : double(joints_[i].multiplier);
+      const double rate = i == step.joint ? 1.0 : double(joints_[i].ratio);
       motion += rate * (joints_[i].prismatic ? z : cross(z, point.p - T_S_joint_[i].translation));
     }
     return motion;

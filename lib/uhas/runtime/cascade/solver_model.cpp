@@ -52,41 +52,30 @@ JointValue<Real> joint_value(const HandProfile& profile, const Joint& joint, dou
 }
 
 template <class Real>
-SolverJoint<Real> compile_joint(const HandProfile& profile, const Joint& joint, const JointTraits& traits) {
-  RigidTransformd T = solver_from_profile(profile, joint.parent) * joint.T_parent_joint * solver_frame(joint);
-  T.translation = T.translation / profile.radius;
-
+SolverJoint<Real> compile_solver_joint(const HandProfile& profile, int index) {
+  const Joint& joint = profile.tree.joints[index];
+  const JointTraits& traits = profile.joint_traits[index];
   constexpr double unbounded = std::numeric_limits<double>::infinity();
-  const bool follows = joint.mimic_master >= 0;
   const double unit = unit_of(profile, joint);
-  const bool closes_upward = joint.upper - traits.q_closed <= traits.q_closed - joint.lower;
 
   SolverJoint<Real> compiled;
-  compiled.prismatic = joint.kind == JointKind::prismatic;
-  compiled.parent = joint.parent;
-  compiled.T_parent_joint = T.cast<Real>();
+  static_cast<CompiledJoint<Real>&>(compiled) =
+      compile_joint(profile.tree, index, profile.T_palm_sphere.inverse(), {profile.radius, profile.radius})
+          .cast<Real>();
   compiled.unit = static_cast<Real>(unit);
-  compiled.least = static_cast<Real>(follows ? -unbounded : joint.lower);
-  compiled.greatest = static_cast<Real>(follows ? unbounded : joint.upper);
+  compiled.least = static_cast<Real>(compiled.follows ? -unbounded : joint.lower);
+  compiled.greatest = static_cast<Real>(compiled.follows ? unbounded : joint.upper);
   compiled.lower = joint_value<Real>(profile, joint, joint.lower);
   compiled.upper = joint_value<Real>(profile, joint, joint.upper);
-  compiled.travel = {.open = static_cast<Real>(traits.q_open / unit),
-                     .closed = static_cast<Real>(traits.q_closed / unit),
-                     .opposite = closes_upward ? compiled.lower.q : compiled.upper.q};
-  compiled.master = joint.mimic_master;
-  if (follows) {
-    const double master_unit = unit_of(profile, profile.tree.joints[joint.mimic_master]);
-    compiled.multiplier = static_cast<Real>(joint.mimic_multiplier * master_unit / unit);
-    compiled.offset = static_cast<Real>(joint.mimic_offset / unit);
-  }
+  compiled.travel = travel_of(joint, traits.q_open, traits.q_closed).in_units_of<Real>(unit);
   return compiled;
 }
 
 template <class Real>
 std::vector<SolverJoint<Real>> compile_joints(const HandProfile& profile) {
   std::vector<SolverJoint<Real>> joints;
-  for (std::size_t i = 0; i < profile.tree.joints.size(); ++i)
-    joints.push_back(compile_joint<Real>(profile, profile.tree.joints[i], profile.joint_traits[i]));
+  for (int i = 0; i < static_cast<int>(profile.tree.joints.size()); ++i)
+    joints.push_back(compile_solver_joint<Real>(profile, i));
   return joints;
 }
 
@@ -102,8 +91,7 @@ std::vector<SolverStart<Real>> compile_starts(const HandProfile& profile, Cascad
   std::vector<SolverStart<Real>> starts;
   for (int i = 0; i < static_cast<int>(joints.size()); ++i) {
     const SolverJoint<Real>& joint = joints[i];
-    const JointValue<Real> start =
-        joint.master < 0 ? start_of(i) : joint.value(joint.motion_at(start_of(joint.master).q));
+    const JointValue<Real> start = joint.follows ? joint.value(joint.motion_at(start_of(joint.source).q)) : start_of(i);
     starts.push_back({start, scaled(joint.moved(joint.T_parent_joint, start), joint.decay_inward(decay))});
   }
   return starts;

@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "uhas/kinematics/cascade_plan.hpp"
-#include "uhas/kinematics/contact.hpp"
+#include "uhas/kinematics/compiled_joint.hpp"
+#include "uhas/kinematics/joint_travel.hpp"
 #include "uhas/runtime/cascade/action_decoder.hpp"
 #include "uhas/runtime/cascade/plane_groups.hpp"
 #include "uhas/runtime/cascade/surface_patches.hpp"
@@ -17,63 +18,32 @@
 
 namespace uhas {
 
-/// A joint value with what its motion needs: cosine and sine of a turn; 1 and 0 for a slide.
-template <class Num>
-struct JointValue {
-  Num q{}, cosine{1}, sine{};
-
-  template <class To>
-  JointValue<To> cast() const {
-    return {To(q), To(cosine), To(sine)};
-  }
-};
-
-/// A joint, compiled: its axis is the z of its frame.
+/// A joint with its limits and its way. The base is S, lengths are sphere radii, those of q too.
 template <class Real>
-struct SolverJoint {
-  bool prismatic = false;
-  int parent = -1;                      ///< -1 = S itself: roots have the palm folded in
-  RigidTransform<Real> T_parent_joint;  ///< z is the axis
-  Real unit{};                          ///< profile units of q per solver unit: r for a prismatic joint, else 1
-  Real least{}, greatest{};             ///< profile units: the limits; of a mimic follower infinite
-  JointValue<Real> lower, upper;        ///< solver units, like every joint value below
+struct SolverJoint : CompiledJoint<Real> {
+  Real unit{};                    ///< profile units of q per solver unit: r for a prismatic joint, else 1
+  Real least{}, greatest{};       ///< profile units: the limits; of a mimic follower infinite
+  JointValue<Real> lower, upper;  ///< solver units, like every joint value below
   JointTravel<Real> travel;
-  int master = -1;  ///< the joint it follows; -1 = independent
-  Real multiplier{1}, offset{};
 
   /// Factor on the moments that go from the joint to its parent: one unknown more between.
   template <class Num>
   Num decay_inward(Num decay) const {
-    return master < 0 ? decay : Num(1);
+    return this->follows ? Num(1) : decay;
   }
 
   template <class Num>
   JointValue<Num> value(Num q) const {
-    if (prismatic) return {q, Num(1), Num(0)};
+    if (this->prismatic) return {q, Num(1), Num(0)};
     const SinCos<Num> turn = sincos(q);
     return {q, turn.cosine, turn.sine};
-  }
-
-  /// Of a follower, for `q` of its master.
-  template <class Num>
-  Num motion_at(Num q) const {
-    return Num(multiplier) * q + Num(offset);
   }
 
   /// `q` in profile units, which for a turn are those of the solver: the product may round past a limit, the result is
   /// never beyond it.
   template <class Num>
   Num in_profile_units(Num q) const {
-    return prismatic ? clamp(q * Num(unit), Num(least), Num(greatest)) : q;
-  }
-
-  /// Frame F of the joint, moved by `value`: a turn about, or a shift along, its z.
-  template <class Num>
-  RigidTransform<Num> moved(const RigidTransform<Num>& F, const JointValue<Num>& value) const {
-    const Vector3<Num> x = F.rotation.column(0), y = F.rotation.column(1), z = F.rotation.column(2);
-    if (prismatic) return {F.rotation, F.translation + value.q * z};
-    return {Rotation<Num>::from_columns(value.cosine * x + value.sine * y, value.cosine * y - value.sine * x, z),
-            F.translation};
+    return this->prismatic ? clamp(q * Num(unit), Num(least), Num(greatest)) : q;
   }
 };
 

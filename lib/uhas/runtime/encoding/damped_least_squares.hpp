@@ -13,7 +13,8 @@ class DampedLeastSquares {
  public:
   explicit DampedLeastSquares(int unknowns) : n_(unknowns) {}
 
-  /// One equation a . x = b. `a`: one coefficient an unknown.
+  /// One equation a . x = b: adds its share to A = sum of weight a a^T and y = sum of weight a b.
+  /// @param a  one coefficient an unknown
   void add(std::span<const double> a, double b, double weight) noexcept {
     for (int i = 0; i < n_; ++i) {
       for (int j = 0; j <= i; ++j) A_[i * max_unknowns + j] += weight * a[i] * a[j];
@@ -21,10 +22,12 @@ class DampedLeastSquares {
     }
   }
 
-  /// The minimum, by Cholesky's factorisation; `damping` > 0 makes it unique.
+  /// The minimum, where (A + damping I) x = y; `damping` > 0 makes it unique.
   std::array<double, max_unknowns> solve(double damping) const noexcept {
     std::array<double, max_unknowns * max_unknowns> L{};
     std::array<double, max_unknowns> x{};
+
+    // Cholesky: A + damping I = L L^T, a row of L after the other, and L z = y solved along with it (x holds z)
     for (int i = 0; i < n_; ++i) {
       for (int j = 0; j <= i; ++j) {
         double sum = A_[i * max_unknowns + j] + (i == j ? damping : 0.0);
@@ -35,6 +38,8 @@ class DampedLeastSquares {
       for (int k = 0; k < i; ++k) sum -= L[i * max_unknowns + k] * x[k];
       x[i] = sum / L[i * max_unknowns + i];
     }
+
+    // L^T x = z, from the last unknown back
     for (int i = n_; i-- > 0;) {
       for (int k = i + 1; k < n_; ++k) x[i] -= L[k * max_unknowns + i] * x[k];
       x[i] /= L[i * max_unknowns + i];

@@ -44,7 +44,8 @@ struct EncoderFinger {
 struct EncoderModel {
   EncoderModel(const HandProfile& profile, const SolveOptions& options, int vectors);
 
-  /// The linear start: delta theta from the lateral tables, delta r by least squares of |p| / r - rho on the hats.
+  /// The linear start (docs/method.md#encode-and-retarget): delta theta from the lateral tables, delta r by least squares
+  /// of |p| / r - rho on the hats.
   /// @param q             [joint] followers where their masters put them
   /// @param T_palm_joint  [joint] room for the moved frames at `q`
   /// @param actions       [finger] out

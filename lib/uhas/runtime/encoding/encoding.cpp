@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "uhas/kinematics/forward_kinematics.hpp"
+#include "uhas/kinematics/mimics.hpp"
 #include "uhas/runtime/encoding/damped_least_squares.hpp"
 
 namespace uhas {
@@ -53,13 +54,17 @@ Encoding<Real>::Encoding(const EncoderModel& model, const CascadeSolver<Real>& s
 
 template <class Real>
 void Encoding<Real>::run(const EncoderModel& model, std::span<const Real> q) noexcept {
+  // the posture to reach, and the action read off it without solving
   set_target(model, q);
   model.start(target_, T_palm_joint_, start_);
+
+  // from one start after the other until every group has settled; each group keeps the best that it has found
   std::fill(best_.cost.begin(), best_.cost.end(), std::numeric_limits<double>::infinity());
   for (const StartShift& shift : kStarts) {
     if (std::all_of(best_.cost.begin(), best_.cost.end(), is_settled)) break;
     begin(model, shift.odd, shift.even);
-    // delta theta waits: that of the table is exact for every posture that a solve gives
+    // first with wide limits, at which no joint of a posture inside is held. Delta theta waits there: that of the table
+    // is exact for every posture that a solve gives
     descend(model, relaxed_solver_, Freedom::displacements, kRelaxedSteps);
     descend(model, solver_, Freedom::all, kSteps);
     for (std::size_t g = 0; g < model.groups.size(); ++g)
@@ -67,6 +72,7 @@ void Encoding<Real>::run(const EncoderModel& model, std::span<const Real> q) noe
   }
 }
 
+// asked for: any posture, continuous joints within one turn of their middle; the target: what a solve can give of it
 template <class Real>
 void Encoding<Real>::set_target(const EncoderModel& model, std::span<const Real> q) noexcept {
   for (std::size_t i = 0; i < q.size(); ++i) {
@@ -97,6 +103,7 @@ void Encoding<Real>::begin(const EncoderModel& model, double odd_shift, double e
   }
 }
 
+// Levenberg's method: step by step downhill, each group with a damping of its own, all groups with the same solves
 template <class Real>
 void Encoding<Real>::descend(const EncoderModel& model, CascadeSolver<Real>& solver, Freedom freedom,
                              int steps) noexcept {
@@ -111,6 +118,7 @@ void Encoding<Real>::descend(const EncoderModel& model, CascadeSolver<Real>& sol
   }
 }
 
+// the posture of an action, and how far each group is from the target: the sum of its squared errors
 template <class Real>
 void Encoding<Real>::solve(const EncoderModel& model, CascadeSolver<Real>& solver, Attempt& attempt) noexcept {
   model.write_action<Real>(attempt.actions, values_);
@@ -122,11 +130,14 @@ void Encoding<Real>::solve(const EncoderModel& model, CascadeSolver<Real>& solve
   }
 }
 
-// derivatives of every group's joints with respect to its unknowns: one solve serves the u-th unknown of all groups
+// derivatives of every group's joints with respect to its unknowns, as differences of solves: one solve serves the u-th
+// unknown of all groups
 template <class Real>
 void Encoding<Real>::differentiate(const EncoderModel& model, CascadeSolver<Real>& solver, Freedom freedom) noexcept {
+  // long enough that rounding spoils no more than a third of a difference's digits
   const double nudge = std::cbrt(double(std::numeric_limits<Real>::epsilon()));
   for (int u = 0; u < static_cast<int>(derivatives_.size()); ++u) {
+    // every group's u-th unknown a little on, or back where it would pass its bound
     std::copy(now_.actions.begin(), now_.actions.end(), trial_.actions.begin());
     bool any = false;
     for (const FingerGroup& group : model.groups) {
@@ -137,6 +148,8 @@ void Encoding<Real>::differentiate(const EncoderModel& model, CascadeSolver<Real
       any = true;
     }
     if (!any) return;
+
+    // what that moves
     solve(model, solver, trial_);
     for (const FingerGroup& group : model.groups) {
       if (u >= unknown_count(group, freedom)) continue;
@@ -149,12 +162,15 @@ void Encoding<Real>::differentiate(const EncoderModel& model, CascadeSolver<Real
 }
 
 // from `now_` to the action of `trial_`: one damped Gauss-Newton step of every group
+//   min over change of  sum over joints (error + sum over u of derivative_u change_u)^2 + damping |change|^2
 template <class Real>
 void Encoding<Real>::step(const EncoderModel& model, Freedom freedom) noexcept {
   std::copy(now_.actions.begin(), now_.actions.end(), trial_.actions.begin());
   for (std::size_t g = 0; g < model.groups.size(); ++g) {
     const FingerGroup& group = model.groups[g];
     const int unknowns = unknown_count(group, freedom);
+
+    // an equation a joint
     DampedLeastSquares<kMaxUnknowns> equations(unknowns);
     for (int joint : group.joints) {
       std::array<double, kMaxUnknowns> row{};
@@ -162,6 +178,8 @@ void Encoding<Real>::step(const EncoderModel& model, Freedom freedom) noexcept {
       equations.add(row, -error(model, now_, joint), 1.0);
     }
     const auto change = equations.solve(damping_[g]);
+
+    // shortened until no unknown goes too far, and held within bounds
     double longest = kLongestStep;
     for (double c : change) longest = std::max(longest, std::abs(c));
     for (int u = 0; u < unknowns; ++u) {
@@ -173,6 +191,7 @@ void Encoding<Real>::step(const EncoderModel& model, Freedom freedom) noexcept {
   }
 }
 
+// a step downhill is taken and the next one is bolder; a step uphill is forgotten and the next one shorter
 template <class Real>
 void Encoding<Real>::keep_better(const EncoderModel& model) noexcept {
   for (std::size_t g = 0; g < model.groups.size(); ++g) {
@@ -216,6 +235,7 @@ bool Encoding<Real>::is_settled(double cost) noexcept {
   return cost <= kSettled * kSettled;
 }
 
+// against the posture asked for, not the target: what lies beyond a limit counts
 template <class Real>
 EncodeReport Encoding<Real>::report(const EncoderModel& model) const noexcept {
   EncodeReport report;

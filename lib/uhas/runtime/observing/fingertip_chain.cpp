@@ -30,36 +30,30 @@ struct TurnTiltTurn {
 template <class Real>
 FingertipChain<Real> compile_chain(const HandProfile& profile, int finger) {
   const ProfileLink& tip = profile.links[profile.fingers[finger].tip_link];
-  const std::vector<Joint>& joints = profile.tree.joints;
-
   FingertipChain<Real> chain;
+
+  // the fingertip in its joint's frame, whose z is the axis
   Vector3d p = tip.T_joint_link * profile.fingers[finger].p_tip_link;
-  if (tip.joint >= 0) p = axis_frame(joints[tip.joint]).transposed() * p;
+  if (tip.joint >= 0) p = axis_frame(profile.tree.joints[tip.joint]).transposed() * p;
   chain.p_tip = p.cast<Real>();
 
-  double turn_of_child = 0;  // a of the joint further out
-  for (int i = tip.joint; i >= 0; i = joints[i].parent) {
-    const Joint& joint = joints[i];
-    RigidTransformd T = joint.T_parent_joint;
-    T.rotation = T.rotation * axis_frame(joint);
-    if (joint.parent >= 0) T = RigidTransformd{axis_frame(joints[joint.parent]).transposed(), {}} * T;
+  // inward: R = Rz(first) Rx(tilt) Rz(second) of each joint, of which the parent takes `first`
+  double turn_of_child = 0;
+  for (int i = tip.joint; i >= 0; i = profile.tree.joints[i].parent) {
+    const CompiledJoint<double> joint = compile_joint(profile.tree, i, RigidTransformd{}, LengthUnits{});
+    const RigidTransformd& T = joint.T_parent_joint;
     const TurnTiltTurn turns(T.rotation);
-
-    const bool follows = joint.mimic_master >= 0;
     const double turn = turns.second + turn_of_child;
-    ChainJoint<Real> placed;
-    placed.source = follows ? joint.mimic_master : i;
-    placed.prismatic = joint.kind == JointKind::prismatic;
-    placed.ratio = static_cast<Real>(follows ? joint.mimic_multiplier : 1.0);
-    const double offset = follows ? joint.mimic_offset : 0.0;
-    placed.offset = static_cast<Real>(placed.prismatic ? offset : std::remainder(offset + turn, 2 * std::numbers::pi));
+    turn_of_child = turns.first;
+
+    ChainJoint<Real> placed{joint.JointMotion::template cast<Real>()};
+    if (!joint.prismatic) placed.offset = static_cast<Real>(std::remainder(joint.offset + turn, 2 * std::numbers::pi));
     placed.turn_cosine = static_cast<Real>(std::cos(turn));
     placed.turn_sine = static_cast<Real>(std::sin(turn));
     placed.tilt_cosine = static_cast<Real>(std::cos(turns.tilt));
     placed.tilt_sine = static_cast<Real>(std::sin(turns.tilt));
     placed.origin = turned_about_z(T.translation, -turns.first).cast<Real>();
     chain.joints.push_back(placed);
-    turn_of_child = turns.first;
   }
   chain.base_cosine = static_cast<Real>(std::cos(turn_of_child));
   chain.base_sine = static_cast<Real>(std::sin(turn_of_child));

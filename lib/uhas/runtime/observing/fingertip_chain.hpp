@@ -3,22 +3,20 @@
 
 #include <vector>
 
+#include "uhas/kinematics/compiled_joint.hpp"
 #include "uhas/profile/hand_profile.hpp"
 
 namespace uhas {
 
-/// A joint between its parent and what it carries. With q' = `ratio` q[source] + `offset` it moves a point p to
+/// A joint between its parent and what it carries. By the motion q' (rad or m) it moves a point p to
 ///   origin + Rx(tilt) Rz(q') p                     a turn
 ///   origin + Rx(tilt) Rz(turn) (p + q' z)          a slide
 /// Any rotation is Rz(a) Rx(tilt) Rz(b). Here b has gone into the joint's own turn and a into its parent's.
 template <class Real>
-struct ChainJoint {
-  int source{};  ///< the independent joint that decides: itself, or the master it mimics
-  bool prismatic = false;
-  Real ratio{1}, offset{};           ///< rad or m
+struct ChainJoint : JointMotion<Real> {
   Real turn_cosine{1}, turn_sine{};  ///< of a slide
   Real tilt_cosine{1}, tilt_sine{};
-  Vector3<Real> origin;  ///< m
+  Vector3<Real> origin{};  ///< m
 };
 
 template <class Real>
@@ -43,17 +41,22 @@ template <class Value, class Real, class ValueOf, class TurnOf>
 Vector3<Value> place_fingertip(const FingertipChain<Real>& chain, ValueOf value_of, TurnOf turn_of) {
   Value x(chain.p_tip.x), y(chain.p_tip.y), z(chain.p_tip.z);
   for (const ChainJoint<Real>& joint : chain.joints) {
-    const Value motion = Value(joint.ratio) * value_of(joint.source) + Value(joint.offset);
+    // the joint's own motion about or along z
+    const Value motion = joint.motion_at(value_of(joint.source));
     Value cosine(joint.turn_cosine), sine(joint.turn_sine);
     if (joint.prismatic)
       z = z + motion;
     else
       turn_of(motion, cosine, sine);
     const Value turned_x = cosine * x - sine * y, turned_y = sine * x + cosine * y;
+
+    // into the parent's frame: a tilt about x, and the joint's place there
     x = Value(joint.origin.x) + turned_x;
     y = Value(joint.origin.y) + Value(joint.tilt_cosine) * turned_y - Value(joint.tilt_sine) * z;
     z = Value(joint.origin.z) + Value(joint.tilt_sine) * turned_y + Value(joint.tilt_cosine) * z;
   }
+
+  // the turn that the joint on the palm could not give to a parent
   const Value cosine(chain.base_cosine), sine(chain.base_sine);
   return {cosine * x - sine * y, sine * x + cosine * y, z};
 }

@@ -42,8 +42,11 @@ struct FingertipLanes {
     };
     Num values[kKernelJoints], tips[3 * kKernelFingers];
     for (std::size_t first = 0; first < hands; first += width) {
+      // a hand a lane; lanes past the last hand repeat it
       const std::size_t filled = hands - first < width ? hands - first : width;
       load_rows(q + first * joints, joints, filled, joints, values);
+
+      // every joint value has its hands side by side: a chain is walked once for all of them
       for (std::size_t f = 0; f < fingers; ++f) {
         const Vector3<Num> p = place_fingertip<Num>(
             chains[f], [&](int joint) { return values[joint]; }, turn);

@@ -1,11 +1,11 @@
-#include "uhas/anatomy/fingers/finger_chains.hpp"
+#include "uhas/anatomy/palm/finger_chains.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <utility>
 
 #include "uhas/anatomy/config_names.hpp"
-#include "uhas/anatomy/fingers/stated_chains.hpp"
+#include "uhas/anatomy/palm/stated_chains.hpp"
 #include "uhas/base/errors.hpp"
 
 namespace uhas {

@@ -1,4 +1,4 @@
-// Which finger is the thumb (docs/method.md#anatomy-from-the-urdf-alone, "The thumb").
+// Which finger is the thumb (docs/method.md#anatomy, "The thumb").
 #pragma once
 
 #include <span>

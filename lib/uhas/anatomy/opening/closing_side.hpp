@@ -1,4 +1,4 @@
-// To which side a finger closes (docs/method.md#anatomy-from-the-urdf-alone, "Flexion").
+// To which side a finger closes (docs/method.md#anatomy, "Flexion").
 #pragma once
 
 #include <span>

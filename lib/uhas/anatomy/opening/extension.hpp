@@ -1,5 +1,5 @@
 // How fingers stand when they are extended: straight, and at which angle to the palm
-// (docs/method.md#anatomy-from-the-urdf-alone, "The palm normal").
+// (docs/method.md#anatomy, "The palm normal").
 #pragma once
 
 #include <optional>

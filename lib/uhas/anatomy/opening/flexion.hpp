@@ -1,4 +1,4 @@
-// Which joints bend a finger, and where they are straight (docs/method.md#anatomy-from-the-urdf-alone, "Flexion").
+// Which joints bend a finger, and where they are straight (docs/method.md#anatomy, "Flexion").
 #pragma once
 
 #include <optional>

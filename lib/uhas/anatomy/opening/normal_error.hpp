@@ -1,5 +1,5 @@
 // How far off the palm normal may be, by what its witnesses say of each other
-// (docs/method.md#anatomy-from-the-urdf-alone, "Its confidence").
+// (docs/method.md#anatomy, "Its confidence").
 #pragma once
 
 #include "uhas/anatomy/opening/extension.hpp"

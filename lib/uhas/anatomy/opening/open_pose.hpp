@@ -1,5 +1,5 @@
 // The open pose: fingers extended in the palm plane, pads toward the palm normal
-// (docs/method.md#anatomy-from-the-urdf-alone, "Open").
+// (docs/method.md#anatomy, "The open pose").
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Where the palm faces (docs/method.md#anatomy-from-the-urdf-alone, "The palm normal").
+// Where the palm faces (docs/method.md#anatomy, "The palm normal").
 #pragma once
 
 #include <span>

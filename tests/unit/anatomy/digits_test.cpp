@@ -15,7 +15,7 @@ namespace {
 HandSkeleton hand_of(std::size_t fingers) {
   HandSkeleton hand;
   for (std::size_t i = 0; i < fingers; ++i) {
-    hand.tree.joints.push_back({.name = "j" + std::to_string(i)});
+    hand.tree.joints.emplace_back().name = "j" + std::to_string(i);
     hand.fingers.push_back({{static_cast<int>(i)}, {0, 0, 0.1}});
   }
   return hand;

@@ -6,6 +6,7 @@
 
 #include "toy_skeleton.hpp"
 #include "uhas/anatomy/opening/open_pose.hpp"
+#include "uhas/anatomy/opening/thumb_side.hpp"
 
 using namespace uhas;
 using namespace uhas::test;
@@ -24,8 +25,8 @@ struct Toy {
 
   ExtendedHand extended() const { return extend_hand(hand, motion, std::vector<double>(hand.tree.joints.size(), 0.3)); }
 
-  std::vector<double> open_pose(const PalmNormal& normal, Bases bases) const {
-    return find_open_pose(hand, motion, extended(), -1, normal, bases);
+  std::vector<double> open_pose(Vector3d normal, Bases bases, bool opposing = false) const {
+    return find_open_pose(hand, motion, extended(), -1, {normal, opposing, 1, {}, 0}, bases);
   }
 };
 
@@ -35,19 +36,19 @@ TEST_CASE("the open pose rolls a finger's pad to the normal; a gripper's fingers
   Toy toy;
   toy.motion.zero_is_straight = true;
   toy.add(add_hinges_behind(toy.hand.tree, kZ, {-2, 2}, {}));
-  CHECK(toy.open_pose({.normal = kY}, Bases::held)[0] == doctest::Approx(std::numbers::pi / 2).epsilon(0.01));
-  CHECK(toy.open_pose({.normal = kY, .opposing = true}, Bases::held)[0] == 0.3);
+  CHECK(toy.open_pose(kY, Bases::held)[0] == doctest::Approx(std::numbers::pi / 2).epsilon(0.01));
+  CHECK(toy.open_pose(kY, Bases::held, true)[0] == 0.3);
   toy.motion.held[0] = true;
-  CHECK(toy.open_pose({.normal = kY}, Bases::held)[0] == 0.3);
+  CHECK(toy.open_pose(kY, Bases::held)[0] == 0.3);
 }
 
 TEST_CASE("a finger's base lies in the palm plane, once the normal is certain") {
   Toy toy;
   toy.add(add_hinges(toy.hand.tree, -1, {}, {-0.2, 1.6}));
   const double extended = toy.extended().q[0];
-  CHECK(toy.open_pose({.normal = kX}, Bases::held)[0] == extended);
-  CHECK(std::abs(toy.open_pose({.normal = kX}, Bases::searched)[0]) < 0.1);
-  CHECK(std::abs(toy.open_pose({.normal = kX}, Bases::searched)[0]) < std::abs(extended) + 1e-9);
+  CHECK(toy.open_pose(kX, Bases::held)[0] == extended);
+  CHECK(std::abs(toy.open_pose(kX, Bases::searched)[0]) < 0.1);
+  CHECK(std::abs(toy.open_pose(kX, Bases::searched)[0]) < std::abs(extended) + 1e-9);
 }
 
 TEST_CASE("a row of fingers: the normal, the open pose, and why") {
@@ -77,16 +78,21 @@ TEST_CASE("a stated normal is believed, to the bit") {
   CHECK(open.findings[0].reason == kStatedInConfig);
 }
 
-TEST_CASE("a thumb that bends both ways alike closes to the side that faces the normal") {
+TEST_CASE("a thumb closes to the side that faces the normal, unless its ranges tell more") {
   for (const double sign : {1.0, -1.0}) {
     Toy toy;
     toy.motion.zero_is_straight = true;
     for (const double y : {-0.02, 0.0, 0.02}) toy.add(add_hinges(toy.hand.tree, -1, y * kY));
     toy.add(add_hinges(toy.hand.tree, -1, 0.04 * kY, {-1, 1}, kY, kZ), {sign, 0});
-    const OpenHand open = open_hand(toy.hand, toy.motion, toy.extended(), 3, {});
-    CHECK(norm(open.postures[3].closing - kX) < 1e-9);
+    const TurnedThumb turned = turn_thumb(toy.hand, toy.motion, toy.extended(), 3, kX);
+    CHECK(norm(turned.extended.postures[3].closing - kX) < 1e-9);
+    CHECK(turned.motion.flexions[3].closing.sign == -1);
+    CHECK(turned.margin == doctest::Approx(1));
+    CHECK(norm(open_hand(toy.hand, toy.motion, toy.extended(), 3, {}).postures[3].closing - kX) < 1e-9);
 
-    toy.motion.flexions[3].closing.evidence = 1.1;  // its ranges tell more: it stays
-    CHECK(norm(open_hand(toy.hand, toy.motion, toy.extended(), 3, {}).postures[3].closing - (-sign) * kX) < 1e-9);
+    toy.motion.flexions[3].closing.evidence = 1.1;
+    const TurnedThumb kept = turn_thumb(toy.hand, toy.motion, toy.extended(), 3, kX);
+    CHECK(kept.motion.flexions[3].closing.sign == sign);
+    CHECK(kept.margin == doctest::Approx(sign > 0 ? 0.1 : 2.1));
   }
 }

@@ -12,6 +12,7 @@
 #include "uhas/anatomy/opening/normal_error.hpp"
 #include "uhas/anatomy/opening/open_pose.hpp"
 #include "uhas/anatomy/opening/palm_normal.hpp"
+#include "uhas/anatomy/opening/thumb_side.hpp"
 
 namespace uhas {
 namespace {
@@ -39,7 +40,7 @@ struct FoundNormal {
 /// normal needs none.
 FoundNormal agree_on_normal(const HandSkeleton& hand, const HandMotion& motion, const ExtendedHand& extended, int thumb,
                             const std::optional<Vector3d>& stated_normal) {
-  constexpr int rounds = 3;
+  // the normal of the extended fingers; where zero is straight, opposing ones are asked with all their joints there
   FoundNormal found{find_palm_normal(extended.postures, thumb), extended};
   if (found.normal.opposing && motion.zero_is_straight) {
     found.extended = extend_from_zero(hand, motion, found.extended.q);
@@ -49,32 +50,15 @@ FoundNormal agree_on_normal(const HandSkeleton& hand, const HandMotion& motion, 
     found.normal.normal = *stated_normal;
     return found;
   }
+
+  // side and roll joints open for that normal, the fingers extended anew, and asked again
+  constexpr int rounds = 3;
   for (int round = 0; round < rounds; ++round) {
     std::vector<double> q = find_open_pose(hand, motion, found.extended, thumb, found.normal, Bases::held);
     found.extended = extend_hand(hand, motion, std::move(q));
     found.normal = find_palm_normal(found.extended.postures, thumb);
   }
   return found;
-}
-
-/// A hand whose thumb closes to the side that was chosen for it.
-struct TurnedThumb {
-  HandMotion motion;
-  ExtendedHand extended;
-  double margin = 1;  ///< 0..2: how clear the choice was
-};
-
-/// A thumb closes to the side that faces the palm normal, when that tells more than the ranges of its joints.
-TurnedThumb turn_thumb_to(const HandSkeleton& hand, const HandMotion& motion, const ExtendedHand& extended, int thumb,
-                          Vector3d normal) {
-  if (thumb < 0) return {motion, extended};
-  HandMotion other = motion;
-  other.flexions[thumb].closing.sign *= -1;
-  ExtendedHand turned = extend_hand(hand, other, extended.q);
-  const double gain = (dot(turned.postures[thumb].closing, normal) - dot(extended.postures[thumb].closing, normal)) / 2;
-  const double evidence = motion.flexions[thumb].closing.evidence, margin = std::abs(gain - evidence);
-  if (gain > evidence) return {std::move(other), std::move(turned), margin};
-  return {motion, extend_hand(hand, motion, turned.q), margin};
 }
 
 /// Three digits after the point.
@@ -131,7 +115,7 @@ OpenHand open_hand(const HandSkeleton& hand, const HandMotion& motion, const Ext
   std::optional<Vector3d> stated_normal;
   if (config.palm_normal_in_root) stated_normal = to_palm(unit_direction(*config.palm_normal_in_root));
   const FoundNormal found = agree_on_normal(hand, motion, extended, thumb, stated_normal);
-  const TurnedThumb turned = turn_thumb_to(hand, motion, found.extended, thumb, found.normal.normal);
+  const TurnedThumb turned = turn_thumb(hand, motion, found.extended, thumb, found.normal.normal);
   open.q = find_open_pose(hand, turned.motion, turned.extended, thumb, found.normal, Bases::searched);
   open.postures = measure_postures(hand, turned.motion.flexions, open.q);
 

@@ -1,6 +1,7 @@
 #include "uhas/anatomy/config_names.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "uhas/anatomy/nearest_name.hpp"
@@ -18,6 +19,13 @@ std::string limits_text(double lower, double upper) {
 }
 
 }  // namespace
+
+std::string count_joints(std::size_t count) { return std::to_string(count) + (count == 1 ? " joint" : " joints"); }
+
+Vector3d unit_direction(Vector3d direction) {
+  constexpr double rounding = 1e-14;
+  return std::abs(norm(direction) - 1) <= rounding ? direction : normalized(direction);
+}
 
 void refuse_config(const HandConfig& config, const std::string& key, const std::string& problem,
                    const std::string& remedy) {

@@ -11,6 +11,13 @@
 
 namespace uhas {
 
+/// "1 joint", "2 joints".
+std::string count_joints(std::size_t count);
+
+/// The unit vector along `direction`. One that is unit already keeps its bits, so that a written config states what
+/// was inferred exactly.
+Vector3d unit_direction(Vector3d direction);
+
 /// Throws Error(invalid_config): `file: key: problem; remedy`.
 [[noreturn]] void refuse_config(const HandConfig& config, const std::string& key, const std::string& problem,
                                 const std::string& remedy);

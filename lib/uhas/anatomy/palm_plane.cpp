@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "uhas/anatomy/fingers/finger_pose.hpp"
 #include "uhas/base/spherical.hpp"
@@ -43,12 +44,12 @@ int most_separate_finger(const std::vector<double>& azimuth) {
   return widest;
 }
 
-/// In-plane direction of the middle finger, or of the fingers that stand against the thumb finger.
-Vector3d forward_direction(const Anatomy& anatomy, const PalmPlane& plane) {
-  const Vector3d n = anatomy.palm_normal_palm;
+/// In-plane direction of the middle finger, or of the fingers that stand against the thumb finger; where these hardly
+/// lie in the plane, the way from the palm centre to their roots.
+Vector3d forward_direction(const PalmPlane& plane, Vector3d n, int middle) {
   Vector3d along, from_center;
   for (int i = 0; i < static_cast<int>(plane.roots.size()); ++i) {
-    if (anatomy.middle >= 0 ? i != anatomy.middle : i == plane.thumb_finger) continue;
+    if (middle >= 0 ? i != middle : i == plane.thumb_finger) continue;
     along += normalized(plane.tips[i] - plane.roots[i]);
     from_center += plane.roots[i] - plane.center;
   }
@@ -60,26 +61,36 @@ Vector3d forward_direction(const Anatomy& anatomy, const PalmPlane& plane) {
 
 }  // namespace
 
-PalmPlane measure_palm_plane(const Anatomy& anatomy) {
+PalmPlane measure_palm_plane(std::vector<Vector3d> roots, std::vector<Vector3d> tips, Vector3d palm_normal, int thumb,
+                             int middle) {
   PalmPlane plane;
-  FingerPose pose;
-  for (const FingerAnatomy& finger : anatomy.fingers) {
-    pose_finger(anatomy, finger, anatomy.q_open, pose);
-    plane.roots.push_back(pose.origin.front());
-    plane.tips.push_back(pose.tip);
-    plane.center += pose.origin.front() / static_cast<double>(anatomy.fingers.size());
-  }
-  const Vector3d n = anatomy.palm_normal_palm;
-  plane.thumb_finger = anatomy.thumb;
-  if (anatomy.thumb < 0) {  // gaps do not depend on where azimuth begins
-    plane.x = any_orthogonal(n);
-    plane.y = cross(n, plane.x);
+  plane.roots = std::move(roots);
+  plane.tips = std::move(tips);
+  for (const Vector3d& root : plane.roots) plane.center += root / static_cast<double>(plane.roots.size());
+
+  // what stands in for a missing thumb; gaps between fingers do not depend on where azimuth begins
+  plane.thumb_finger = thumb;
+  if (thumb < 0) {
+    plane.x = any_orthogonal(palm_normal);
+    plane.y = cross(palm_normal, plane.x);
     plane.thumb_finger = most_separate_finger(azimuths(plane, plane.tips));
   }
-  plane.x = forward_direction(anatomy, plane);
-  plane.y = cross(n, plane.x);
+
+  plane.x = forward_direction(plane, palm_normal, middle);
+  plane.y = cross(palm_normal, plane.x);
   plane.azimuth = azimuths(plane, plane.tips);
   return plane;
+}
+
+PalmPlane measure_palm_plane(const Anatomy& anatomy) {
+  std::vector<Vector3d> roots, tips;
+  for (const FingerAnatomy& finger : anatomy.fingers) {
+    const FingerSkeleton skeleton{finger.joints, anatomy.links[finger.tip_link].T_joint_link * finger.p_tip_link};
+    const FingerPose pose = pose_finger(anatomy.tree, skeleton, anatomy.q_open);
+    roots.push_back(pose.origin.front());
+    tips.push_back(pose.tip);
+  }
+  return measure_palm_plane(std::move(roots), std::move(tips), anatomy.palm_normal_palm, anatomy.thumb, anatomy.middle);
 }
 
 }  // namespace uhas

@@ -43,6 +43,7 @@ double conventional_end(const Anatomy& anatomy, const SphereFrame& frame, int jo
 
 double closed_end(const Anatomy& anatomy, const SphereFrame& frame, int joint) {
   const Joint& j = anatomy.tree.joints[joint];
+  // the side on which the fingertip comes nearer to the sphere's centre
   constexpr double tie = 1e-3;          // radii
   constexpr double equal_range = 1e-6;  // of the range
   if (!fingers_moved(anatomy, joint).empty()) {
@@ -50,6 +51,8 @@ double closed_end(const Anatomy& anatomy, const SphereFrame& frame, int joint) {
     const double above = least_distance(anatomy, frame, joint, j.upper);
     if (std::abs(below - above) >= tie) return below < above ? j.lower : j.upper;
   }
+
+  // on a tie the larger side, and of equal sides the one that a convention names
   const double range_below = anatomy.q_open[joint] - j.lower, range_above = j.upper - anatomy.q_open[joint];
   if (std::abs(range_above - range_below) <= equal_range * (j.upper - j.lower))
     return conventional_end(anatomy, frame, joint);

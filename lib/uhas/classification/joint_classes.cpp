@@ -32,6 +32,8 @@ Travel sweep(const Anatomy& anatomy, const SphereFrame& frame, int joint, std::v
       set_with_followers(anatomy.tree, joint, first + (last - first) * k / steps, q);
       const Vector3d tip = fingertip_in_sphere(anatomy, frame, f, q);
       if (k > 0) {
+        // the step's parts as lengths: r sin(phi) |d theta| across the sphere, sqrt(dr^2 + (r d phi)^2) in radius and
+        // polar angle, with r and phi in the middle of the step
         const Spherical<double> a = to_spherical(before), b = to_spherical(tip);
         const double middle_radius = (a.radius + b.radius) / 2, middle_polar = (a.polar + b.polar) / 2;
         travel.lateral += middle_radius * std::sin(middle_polar) * std::abs(wrap_angle(b.azimuth - a.azimuth));
@@ -78,6 +80,8 @@ JointClassification classify(const Anatomy& anatomy, const SphereFrame& frame, s
     travel = sweep(anatomy, frame, joint, q);
     result.flexed_probe = true;
   }
+
+  // the larger part of the travel is the class; the margin says by how much
   result.lateral_motion = travel.lateral;
   result.encompassing_motion = travel.encompassing;
   // a fingertip on the joint's axis goes nowhere, and what rounding makes of that is no class

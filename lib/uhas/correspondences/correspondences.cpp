@@ -80,6 +80,8 @@ std::vector<std::string> missing_links(const HandModel& model, const Anatomy& an
 Correspondences project_sphere_samples(const HandModel& model, const Anatomy& anatomy, const SphereFrame& frame,
                                        std::span<const double> q_sphere, const CorrespondenceOptions& options) {
   check(options);
+
+  // the hand posed in S, ready to be hit
   const std::vector<PosedMesh> posed = pose_meshes(model, anatomy, frame, q_sphere);
   if (std::ranges::all_of(posed, [](const PosedMesh& link) { return link.mesh->triangles.empty(); }))
     throw Error(ErrorCode::invalid_hand, "", "no link of the hand has a mesh",
@@ -88,12 +90,15 @@ Correspondences project_sphere_samples(const HandModel& model, const Anatomy& an
   std::vector<double> outward;  // one a link: +1, or -1 when the triangles of its mesh show their back to the outside
   for (const PosedMesh& link : posed) outward.push_back(is_inside_out(*link.mesh) ? -1 : 1);
 
+  // one ray for each sample
   Correspondences result;
   result.hits.resize(anatomy.links.size());
   for (int sample = 0; sample < options.samples; ++sample) {
     const Vector3d direction = sample_direction(sample, options.samples, anatomy.handedness);
     const std::optional<TriangleHit> hit = caster.first_hit({}, direction);
     if (!hit) continue;
+
+    // the triangle that the ray caster named, in its link's frame and in S
     LinkHits& hits = result.hits[hit->mesh];
     const RigidTransformd& T_sphere_link = posed[hit->mesh].T_world_mesh;
     const Triangle t_link = mesh_triangle(*posed[hit->mesh].mesh, hit->triangle);
@@ -105,6 +110,8 @@ Correspondences project_sphere_samples(const HandModel& model, const Anatomy& an
       ++hits.facing_away;
       continue;
     }
+
+    // a point far from the sphere stands for no part of it
     const Vector3d p_sphere = point_at(t_sphere, meeting.barycentric);
     const Spherical<double> s = to_spherical(frame.mirrored ? mirror(p_sphere) : p_sphere);
     const double rho = s.radius / frame.radius;
@@ -112,6 +119,8 @@ Correspondences project_sphere_samples(const HandModel& model, const Anatomy& an
       ++hits.too_far;
       continue;
     }
+
+    // what stays: the place on the link, and the coordinates on the sphere
     ++hits.kept;
     Correspondence point;
     point.link = static_cast<int>(hit->mesh);
@@ -122,6 +131,7 @@ Correspondences project_sphere_samples(const HandModel& model, const Anatomy& an
     point.rho = rho;
     result.points.push_back(point);
   }
+
   std::ranges::stable_sort(result.points, {}, &Correspondence::link);
   assign_point_weights(result.points, anatomy.links, options.points_per_link);
   result.warnings = missing_links(model, anatomy, result.hits);

@@ -20,10 +20,11 @@ std::size_t nearest_to_mean(std::span<const Correspondence> points) {
 
 /// Counts, as weights, how many of one link's points are nearest to each chosen one.
 void weigh_link(std::span<Correspondence> points, int max_chosen) {
-  std::vector<double> gap(points.size(),
-                          std::numeric_limits<double>::infinity());  // squared, to the nearest chosen point
-  std::vector<std::size_t> nearest(points.size());                   // that chosen point
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::vector<double> gap(points.size(), infinity);  // squared, to the nearest chosen point
+  std::vector<std::size_t> nearest(points.size());   // that chosen point
 
+  // farthest-point sampling: the next one is the point with the widest gap
   std::size_t chosen = nearest_to_mean(points);
   for (int count = 0; count < max_chosen && gap[chosen] > 0; ++count) {
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -35,12 +36,15 @@ void weigh_link(std::span<Correspondence> points, int max_chosen) {
     }
     chosen = static_cast<std::size_t>(std::ranges::max_element(gap) - gap.begin());
   }
+
+  // a point stands for those that are nearest to it
   for (const std::size_t i : nearest) points[i].weight += 1;
 }
 
 }  // namespace
 
 void assign_point_weights(std::span<Correspondence> points, std::span<const ProfileLink> links, int points_per_link) {
+  // link by link: points come sorted
   double total = 0;
   for (auto begin = points.begin(); begin != points.end();) {
     const int link = begin->link;
@@ -54,6 +58,8 @@ void assign_point_weights(std::span<Correspondence> points, std::span<const Prof
     }
     begin = end;
   }
+
+  // shares of the hand
   if (total > 0)
     for (Correspondence& point : points) point.weight /= total;
 }

@@ -112,6 +112,8 @@ std::pair<int, int> widest_monotone_stretch(std::span<const Sample> samples, con
     constexpr double suspicious = 3;  // times the median; only such a step can hide a jump that matters
     return magnitude < suspicious * rates.median || !jumps(k);
   };
+
+  // runs of usable steps with one sign, from the first sample on; the widest of them
   std::pair<int, int> best{0, 0};
   const auto extent = [&](std::pair<int, int> s) { return std::abs(samples[s.second].theta - samples[s.first].theta); };
   for (int first = 0; first < static_cast<int>(rates.rate.size());) {
@@ -129,6 +131,7 @@ std::pair<int, int> widest_monotone_stretch(std::span<const Sample> samples, con
 double invert(const LateralTable& table, double theta) {
   const bool rising = table.theta.back() > table.theta.front();
   const auto before = [&](double a, double b) { return rising ? a < b : a > b; };
+  // the segment that holds theta, or the one at that end of the table; linear in it
   const auto above = std::lower_bound(table.theta.begin() + 1, table.theta.end() - 1, theta, before);
   const std::size_t k = above - table.theta.begin();
   const double share = (theta - table.theta[k - 1]) / (table.theta[k] - table.theta[k - 1]);
@@ -141,11 +144,14 @@ void fill_inverse(LateralTable& table) {
   constexpr double round_trip = 2e-4;  // rad
   constexpr int most_knots = 1 << 14;
   for (int m = 64; m <= most_knots; m *= 2) {
+    // m knots to each side of delta theta = 0, which returns neutral
     table.inverse_q.assign(2 * m + 1, table.neutral);
     for (int k = 1; k <= m; ++k) {
       table.inverse_q[m - k] = invert(table, table.theta_initial + table.delta_theta_lower * k / m);
       table.inverse_q[m + k] = invert(table, table.theta_initial + table.delta_theta_upper * k / m);
     }
+
+    // the worst round trip over the samples
     double worst = 0;
     for (std::size_t i = 0; i < table.q.size(); ++i)
       worst = std::max(
@@ -166,6 +172,8 @@ LateralTable build_table(const Hand& hand, int joint, int finger, const std::vec
     return widest_monotone_stretch(
         samples, [&](int k) { return drives && jumps(hand, joint, finger, q, samples[k], samples[k + 1]); });
   };
+
+  // a sweep of the whole range finds the stretch
   const Joint& j = hand.anatomy.tree.joints[joint];
   const std::vector<Sample> whole = sweep(hand, joint, finger, q, j.lower, j.upper, steps);
   const auto [first, last] = stretch_of(whole);
@@ -174,6 +182,8 @@ LateralTable build_table(const Hand& hand, int joint, int finger, const std::vec
   table.joint = joint;
   table.neutral = (j.lower + j.upper) / 2;
   if (first == last) return table;
+
+  // a finer one of the stretch, which may end a little earlier now; its middle sample is neutral
   const std::vector<Sample> stretch = sweep(hand, joint, finger, q, whole[first].q, whole[last].q, steps | 1);
   const auto [begin, end] = stretch_of(stretch);
   const int half = (end - begin) / 2;
@@ -187,11 +197,14 @@ LateralTable build_table(const Hand& hand, int joint, int finger, const std::vec
     table.theta.push_back(stretch[k].theta);
   }
   table.neutral = stretch[middle].q;
+
   // keep theta_initial within (-pi, pi], the rest of the table unwrapped about it
   table.theta_initial = wrap_angle(stretch[middle].theta);
   const double turns = table.theta_initial - stretch[middle].theta;
   for (double& theta : table.theta) theta += turns;
   table.theta[half] = table.theta_initial;  // whatever rounding made of it
+
+  // what delta theta may be, and the way back from it to the joint
   table.delta_theta_lower = std::min(table.theta.front(), table.theta.back()) - table.theta_initial;
   table.delta_theta_upper = std::max(table.theta.front(), table.theta.back()) - table.theta_initial;
   fill_inverse(table);
@@ -204,6 +217,7 @@ bool moves_its_tip(const Hand& hand, int joint, int finger, std::vector<double> 
   if (hand.anatomy.tree.joints[joint].kind == JointKind::prismatic) return true;
   std::vector<RigidTransformd> T_palm_joint(q.size());
   forward_kinematics(hand.anatomy.tree, q, T_palm_joint);
+  // the fingertip's way by a small step of the joint
   const Vector3d tip = fingertip_in_sphere(hand.anatomy, hand.frame, finger, q);
   const double arm = norm(hand.frame.T_palm_sphere * tip - T_palm_joint[joint].translation);
   set_with_followers(hand.anatomy.tree, joint, q[joint] + step, q);
@@ -237,12 +251,12 @@ LateralTables build_lateral_tables(const Anatomy& anatomy, const SphereFrame& fr
   }
   const std::vector<double> q_neutral = hand.wrapped(q);
 
-  // the joint that drives a finger; its table is measured again with the finger's other lateral joints at neutral
+  // the joint that drives each finger; its table is measured again with the finger's other lateral joints at neutral
   for (int f = 0; f < static_cast<int>(anatomy.fingers.size()); ++f) {
-    const auto rank =
-        [&](int t) {  // a joint that moves its fingertip goes before one that hardly does, then the wider range
-          return std::pair(moves_its_tip(hand, result.tables[t].joint, f, q_neutral), azimuth_range(result.tables[t]));
-        };
+    // a joint that moves its fingertip goes before one that hardly does, then the wider range
+    const auto rank = [&](int t) {
+      return std::pair(moves_its_tip(hand, result.tables[t].joint, f, q_neutral), azimuth_range(result.tables[t]));
+    };
     int driver = -1;
     for (int t = 0; t < static_cast<int>(result.tables.size()); ++t)
       if (finger_of(anatomy, frame, result.tables[t].joint) == f && (driver < 0 || rank(t) > rank(driver))) driver = t;
@@ -250,6 +264,8 @@ LateralTables build_lateral_tables(const Anatomy& anatomy, const SphereFrame& fr
     LateralTable table = build_table(hand, result.tables[driver].joint, f, q, options.steps, true);
     if (table.q.empty()) continue;
     q[table.joint] = table.neutral;
+
+    // a finger that can go to one side only is worth a word
     const double narrow = std::min(-table.delta_theta_lower, table.delta_theta_upper);
     const double wide = std::max(-table.delta_theta_lower, table.delta_theta_upper);
     constexpr double lopsided = 0.2;

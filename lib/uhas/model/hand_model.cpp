@@ -118,6 +118,8 @@ class GeometryLoader {
     triangle_count_ += source.triangles.size();
     vertex_count_ += source.vertices.size();
     require_within_bounds(triangle_count_, vertex_count_, options_.max_triangles, "the meshes have", urdf_file_);
+
+    // a negative scale turns the mesh inside out, so its triangles run the other way
     const Vector3d scale = shape.mesh_scale;
     const bool mirrored = scale.x * scale.y * scale.z < 0;
     constexpr auto unused = std::numeric_limits<std::uint32_t>::max();
@@ -165,6 +167,7 @@ class GeometryLoader {
 // Folds fixed joints: `links` get their carrying joint, `tree` the movable joints in the order of their child links.
 void build_tree(const Urdf& urdf, const std::vector<OrderedLink>& order, const std::vector<FlatMimic>& mimics,
                 HandModel& model) {
+  // a link hangs on its parent's joint by a fixed transform, or on a movable joint of its own
   std::vector<int> index_in_tree(urdf.joints.size(), -1);
   std::vector<int> index_in_urdf;
   for (const OrderedLink& ordered : order) {
@@ -188,6 +191,7 @@ void build_tree(const Urdf& urdf, const std::vector<OrderedLink>& order, const s
     model.links.push_back(std::move(link));
   }
 
+  // masters by their index in the tree
   for (std::size_t j = 0; j < model.tree.joints.size(); ++j) {
     const FlatMimic& mimic = mimics[index_in_urdf[j]];
     if (mimic.master < 0) continue;
@@ -209,6 +213,8 @@ HandModel load_hand_model(const std::string& urdf_path, const ModelLoadOptions& 
   if (urdf_path.ends_with(".xacro"))
     throw Error(ErrorCode::syntax, urdf_path, "this is a xacro file, not a URDF",
                 "expand it first: xacro " + urdf_path + " > hand.urdf");
+
+  // the URDF
   const std::vector<std::byte> bytes = read_urdf_file(urdf_path, options);
   const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   const auto read = [&] { return read_urdf(text, urdf_path, options.max_links); };
@@ -217,6 +223,7 @@ HandModel load_hand_model(const std::string& urdf_path, const ModelLoadOptions& 
   const Urdf urdf = read();
   const std::vector<OrderedLink> order = order_links(urdf, urdf_path);
 
+  // its links and joints
   HandModel model;
   model.name = urdf.name;
   build_tree(urdf, order, flatten_mimics(urdf, urdf_path), model);
@@ -226,6 +233,7 @@ HandModel load_hand_model(const std::string& urdf_path, const ModelLoadOptions& 
     if (joint.lower == joint.upper)
       model.warnings.push_back("joint '" + joint.name + "' cannot move: its lower and upper limits are equal");
 
+  // their surfaces, and the files that these were read from
   SourceLog sources(fs::path(urdf_path).parent_path());
   sources.add(urdf_path, urdf_path, bytes);
   if (options.load_meshes) {

@@ -108,11 +108,11 @@ std::vector<HandFinding> stage_findings(const BuildStages& stages) {
 }
 
 std::vector<int> fingers_by_slot(const SphereFrame& frame) {
-  const auto first_slot =
-      [&](int finger) {  // of fingers that share one, the finger that stands in the lower goes first
-        return std::pair(std::ranges::find(frame.slots[finger], true) - frame.slots[finger].begin(),
-                         frame.own_slot[finger]);
-      };
+  // of fingers that share a slot, the finger that stands in the lower one goes first
+  const auto first_slot = [&](int finger) {
+    return std::pair(std::ranges::find(frame.slots[finger], true) - frame.slots[finger].begin(),
+                     frame.own_slot[finger]);
+  };
   std::vector<int> order(frame.slots.size());
   std::iota(order.begin(), order.end(), 0);
   std::ranges::stable_sort(order, {}, first_slot);

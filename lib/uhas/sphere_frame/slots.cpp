@@ -39,6 +39,8 @@ std::vector<int> nearest_slots(std::span<const double> azimuth, const std::vecto
     std::vector<int> slots;
     double distance = 0, asymmetry = 0;
   };
+
+  // every set of slots below the thumb's that has one for each finger
   std::vector<Choice> choices;
   for (unsigned set = 0; set < (1u << kThumbSlot); ++set) {
     Choice choice;
@@ -54,6 +56,8 @@ std::vector<int> nearest_slots(std::span<const double> azimuth, const std::vecto
       choice.distance += angle_between(azimuth[order[i]], kCanonicalAzimuth[choice.slots[i]]);
     choices.push_back(std::move(choice));
   }
+
+  // the nearest of them; those within a tie of it are as good, and the most symmetric of these is taken
   double least = std::numeric_limits<double>::infinity();
   for (const Choice& choice : choices) least = std::min(least, choice.distance);
   std::erase_if(choices, [&](const Choice& choice) { return choice.distance >= least + kTie; });
@@ -81,14 +85,15 @@ int nearest_owner(std::span<const double> azimuth, const std::vector<int>& slot_
 
 SlotAssignment assign_slots(std::span<const double> azimuth, std::span<const double> place, int thumb_finger,
                             bool has_thumb, bool merge_pinky) {
+  // one slot for each finger: the thumb's for the thumb, the others in their order around the axis
   const int count = static_cast<int>(azimuth.size());
   const std::vector<int> order = order_around_axis(place, thumb_finger);
   const bool ring_is_last = count == 4 && has_thumb;  // such hands lack the pinky, wherever their fingers stand
   const std::vector<int> chosen = ring_is_last ? std::vector<int>{1, 2, 3} : nearest_slots(azimuth, order);
-
   std::vector<int> slot_of_finger(azimuth.size(), kThumbSlot);
   for (std::size_t i = 0; i < order.size(); ++i) slot_of_finger[order[i]] = chosen[i];
 
+  // free slots go to a neighbour, so that no input is dead
   SlotAssignment result;
   result.slots.resize(azimuth.size());
   for (int slot = 0; slot < kSlotCount; ++slot) {
@@ -98,9 +103,12 @@ SlotAssignment assign_slots(std::span<const double> azimuth, std::span<const dou
       finger = ring_is_last ? order.front() : nearest_owner(azimuth, slot_of_finger, slot);
     result.slots[finger][slot] = true;
   }
+
+  // on request, ring and pinky of five fingers own both of their slots
   if (count == kSlotCount && merge_pinky)
     for (int finger : {order[0], order[1]}) result.slots[finger][0] = result.slots[finger][1] = true;
 
+  // digits have names on a hand that has most of them; else fingers are counted in the order of their slots
   result.own_slot = slot_of_finger;
   constexpr std::array<const char*, kSlotCount> digits = {"pinky", "ring", "middle", "index", "thumb"};
   for (int i = 0; i < count; ++i) {

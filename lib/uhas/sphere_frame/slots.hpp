@@ -1,4 +1,4 @@
-// Which action slots a finger owns (design, sections 2 and 3.3).
+// Which action slots a finger owns (docs/method.md#slots).
 #pragma once
 
 #include <array>

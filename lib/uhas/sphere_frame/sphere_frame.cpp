@@ -17,6 +17,7 @@ SphereFrame compute_sphere_frame(const Anatomy& anatomy, const SphereFrameOption
     throw Error(ErrorCode::invalid_hand, "", "the hand has " + std::to_string(count) + " fingers",
                 "the action space has driving planes for two to five");
 
+  // palm centre, l, and how far the finger roots are from one plane
   const PalmPlane plane = measure_palm_plane(anatomy);
   const Vector3d n = anatomy.palm_normal_palm;
   SphereFrame frame;
@@ -29,13 +30,18 @@ SphereFrame compute_sphere_frame(const Anatomy& anatomy, const SphereFrameOption
     squares += height * height;
   }
   frame.palm_plane_rms = std::sqrt(squares / static_cast<double>(count));
+
+  // a quarter of the sphere's circumference reaches from the palm to the mean fingertip: r = 2 l / pi
   frame.radius_scale = options.radius_scale;
   frame.radius = options.radius_scale * 2 * frame.mean_tip_distance / std::numbers::pi;
   if (!(frame.radius > 0) || !std::isfinite(frame.radius))
     throw Error(ErrorCode::invalid_hand, "", "the open fingertips all lie in the palm centre",
                 "check the joint origins of the model");
 
+  // S: z along the palm normal, the origin one radius out of the palm centre, so that the sphere touches the palm
   frame.T_palm_sphere = {Rotationd::from_columns(plane.x, plane.y, n), plane.center + frame.radius * n};
+
+  // the slots, by where the fingers stand on a right hand
   frame.mirrored = anatomy.handedness == Handedness::left;
   const auto canonical = [&](double azimuth) { return frame.mirrored ? wrap_angle(-azimuth) : azimuth; };
   std::vector<double> place;

@@ -12,8 +12,8 @@ namespace uhas {
 
 struct SphereFrameOptions {
   double radius_scale = 1;  ///< r = radius_scale * 2 l / pi
-  bool merge_pinky =
-      false;  ///< a five-finger hand averages slots 0 and 1 for ring and pinky (the paper's 4-plane variant)
+  /// A five-finger hand averages slots 0 and 1 for ring and pinky (the paper's 4-plane variant).
+  bool merge_pinky = false;
 };
 
 struct SphereFrame {
@@ -30,8 +30,7 @@ struct SphereFrame {
   std::vector<double> open_azimuth;                 ///< canonical azimuth of the open fingertip
   std::vector<std::array<bool, kSlotCount>> slots;  ///< the action slots it owns
   std::vector<int> own_slot;                        ///< the one of these that no finger shares but on request
-  std::vector<std::string>
-      names;  ///< pinky, ring, middle, index, thumb for 4 and 5 fingers with a thumb, else finger1...
+  std::vector<std::string> names;  ///< pinky ... thumb on hands of 4 and 5 fingers with a thumb, else finger1 ...
 
   std::vector<std::string> warnings;
 };

@@ -1,4 +1,4 @@
-#include "uhas/anatomy/fingers/finger_chains.hpp"
+#include "uhas/anatomy/palm/finger_chains.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,11 +1,10 @@
 // A finger in a pose: where its joints and its tip are. All vectors are in P.
 #pragma once
 
-#include <functional>
 #include <span>
 #include <vector>
 
-#include "uhas/anatomy/anatomy.hpp"
+#include "uhas/anatomy/fingers/hand_skeleton.hpp"
 
 namespace uhas {
 
@@ -21,21 +20,11 @@ double mid_range(const Joint& joint);
 /// Every independent joint at the middle of its range.
 std::vector<double> mid_pose(const KinematicTree& tree);
 
-/// The value of `joint` that a designer would call neutral among those that do well: zero when its
-/// `objective` is within `tolerance` of the best of the range; on a flat objective the middle of the range, unless zero
-/// lies near it; else the best value.
-/// @param zero_is_neutral  false on a hand whose zeros say nothing: then zero is a value like others
-double preferred_value(const Joint& joint, double tolerance, bool zero_is_neutral,
-                       const std::function<double(double)>& objective);
-
-/// Joints of one finger in a pose.
+/// One finger in a pose.
 struct FingerPose {
-  std::vector<Vector3d> origin, axis;  ///< one a joint, root to tip
+  std::vector<Vector3d> origin, axis;  ///< one a joint, root to tip; axes are unit
   Vector3d tip;
 };
-void pose_finger(const Anatomy& anatomy, const FingerAnatomy& finger, std::span<const double> q, FingerPose& pose);
-
-/// Sum of the distances between the joints and to the tip: the finger's length when straight (m).
-double finger_length(const Anatomy& anatomy, const FingerAnatomy& finger);
+FingerPose pose_finger(const KinematicTree& tree, const FingerSkeleton& finger, std::span<const double> q);
 
 }  // namespace uhas

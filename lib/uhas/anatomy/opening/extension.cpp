@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
+#include "uhas/anatomy/opening/preferred_value.hpp"
 #include "uhas/kinematics/forward_kinematics.hpp"
 
 namespace uhas {
@@ -18,79 +20,155 @@ constexpr double kShortestMetacarpal = 0.15;
 /// A side joint's axis, or the palm's slab, tells how the palm lies when it is within 25 degrees of a right angle to
 /// where the finger seems to be.
 constexpr double kPalmAxisDeviation = 0.44;
+/// The same axis is in the plane of flexion, but for 20 degrees (sine).
+constexpr double kOutOfFlexionPlane = 0.35;
 /// Standard error of a base angle that the designer's zero, a metacarpal or a side joint's axis tells (rad).
 constexpr double kKnownBaseError = 0.09;
 /// The same where only the joint's range tells it, as a part of that range: a wide one may bend far back.
 constexpr double kGuessedBaseError = 0.16;
 
-/// How far the finger would have to close (rad) for `axis`, which belongs to the palm, to stand along the closing
-/// direction or along the finger's own; nothing when it does neither nearly.
-std::optional<double> turn_to_axis(const Anatomy& anatomy, const FingerAnatomy& finger, const Flexion& flexion,
-                                   std::span<const double> q, Vector3d axis, FingerPose& pose) {
-  constexpr double quarter = std::numbers::pi / 2, across = 0.35;
-  const FingerPosture posture = measure_posture(anatomy, finger, flexion, q, pose);
-  if (std::abs(dot(axis, posture.axis)) > across) return std::nullopt;
-  const double angle = std::atan2(dot(axis, posture.closing), dot(axis, posture.direction));
-  const double turn = std::remainder(angle, quarter);
-  if (std::abs(turn) > kPalmAxisDeviation) return std::nullopt;
-  return turn;
-}
+/// The first flexion joint of one finger, free to turn, with the joints beyond it straight in `q`.
+class FingerBase {
+ public:
+  FingerBase(const KinematicTree& tree, const FingerSkeleton& finger, const Flexion& flexion, std::span<double> q)
+      : tree_(tree),
+        finger_(finger),
+        flexion_(flexion),
+        first_(flexion.positions.front()),
+        variable_(variable_of(tree, finger.joints[first_])),
+        joint_(tree.joints[variable_]),
+        sense_(flexion.closing.sign *
+               flexion_rate(tree, finger, pose_finger(tree, finger, q), first_, flexion.positions.back())),
+        q_(q) {}
+
+  void set(double value) { set_joint(tree_, variable_, clamp_to_limits(joint_, value), q_); }
+
+  /// Turns it so that the finger closes by `angle` (rad).
+  void close_by(double angle) { set(q_[variable_] + angle / sense_); }
+
+  void set_to_open_end() { set(open_end()); }
+
+  /// Just short of the open end.
+  void set_by_range() {
+    const double bent_back = std::max(std::min(kTypicalHyperextension, range() / 4), range() - kTypicalClosing);
+    set(open_end() + (sense_ > 0 ? bent_back : -bent_back));
+  }
+
+  /// Straight with what lies between the finger's root and this joint: the tip is farthest from the root.
+  void continue_metacarpal(bool zero_is_neutral) {
+    const double tolerance = kStraightTolerance * finger_length(tree_, finger_);
+    set(preferred_value(joint_, tolerance, zero_is_neutral, [&](double value) {
+      set_joint(tree_, variable_, value, q_);
+      const FingerPose pose = pose_finger(tree_, finger_, q_);
+      return norm(pose.tip - pose.origin.front());
+    }));
+  }
+
+  /// How far the finger would have to close (rad) for `axis`, which belongs to the palm, to stand along the closing
+  /// direction or along the finger's own; nothing when it does neither nearly.
+  std::optional<double> turn_to(Vector3d axis) const {
+    const FingerPosture posture = measure_posture(tree_, finger_, flexion_, q_);
+    if (std::abs(dot(axis, posture.axis)) > kOutOfFlexionPlane) return std::nullopt;
+    const double angle = std::atan2(dot(axis, posture.closing), dot(axis, posture.direction));
+    const double turn = std::remainder(angle, std::numbers::pi / 2);
+    if (std::abs(turn) > kPalmAxisDeviation) return std::nullopt;
+    return turn;
+  }
+
+  /// The same for the axis of a side joint right before it, which turns about the palm normal or about the finger.
+  std::optional<double> turn_to_side_joint() const {
+    if (first_ == 0 || tree_.joints[finger_.joints[first_ - 1]].kind == JointKind::prismatic) return std::nullopt;
+    return turn_to(pose_finger(tree_, finger_, q_).axis[first_ - 1]);
+  }
+
+  bool has_metacarpal() const {
+    const FingerPose pose = pose_finger(tree_, finger_, q_);
+    return norm(pose.origin[first_] - pose.origin.front()) > kShortestMetacarpal * finger_length(tree_, finger_);
+  }
+
+  const Joint& joint() const { return joint_; }
+  int variable() const { return variable_; }
+  double range() const { return joint_.upper - joint_.lower; }
+
+ private:
+  double open_end() const { return sense_ > 0 ? joint_.lower : joint_.upper; }
+
+  const KinematicTree& tree_;
+  const FingerSkeleton& finger_;
+  const Flexion& flexion_;
+  int first_;  ///< its position in the finger
+  int variable_;
+  const Joint& joint_;
+  double sense_;  ///< rate of closing per unit of the variable
+  std::span<double> q_;
+};
 
 }  // namespace
 
-void extend_finger(const Anatomy& anatomy, const FingerAnatomy& finger, const BaseEvidence& evidence, Flexion& flexion,
-                   std::span<double> q) {
-  flexion.base_error = kKnownBaseError;
-  flexion.base_is_guess = false;
-  const std::vector<int> straight = straighten(anatomy, finger, flexion, q);
-  const int first = flexion.positions.front();
-  const int variable = variable_of(anatomy.tree, finger.joints[first]);
-  if (std::ranges::find(straight, variable) != straight.end()) return;
+BaseAngle extend_finger(const KinematicTree& tree, const FingerSkeleton& finger, const Flexion& flexion,
+                        const BaseEvidence& evidence, std::span<double> q) {
+  constexpr BaseAngle known{kKnownBaseError, false};
 
-  FingerPose pose;
-  pose_finger(anatomy, finger, q, pose);
-  const Joint& joint = anatomy.tree.joints[variable];
-  const double sense = flexion.closing_sign * flexion_rate(anatomy, finger, pose, first, flexion.positions.back());
-  const double open_end = sense > 0 ? joint.lower : joint.upper;
-  if (flexion.sliding) return set_joint(anatomy.tree, variable, open_end, q);
+  // the phalanges straight; then the first joint, unless it follows with them
+  const std::vector<int> straight = straighten(tree, finger, flexion, q);
+  FingerBase base(tree, finger, flexion, q);
+  if (std::ranges::find(straight, base.variable()) != straight.end()) return known;
+  if (flexion.sliding) {
+    base.set_to_open_end();
+    return known;
+  }
 
-  const double length = finger_length(anatomy, finger), range = joint.upper - joint.lower;
-  double value = 0;
-  const auto set_base = [&](double wanted) {
-    value = clamp_to_limits(joint, wanted);
-    set_joint(anatomy.tree, variable, value, q);
-  };
-  if (evidence.zero_is_straight && has_zero(joint)) {
-    set_base(0);
-  } else if (norm(pose.origin[first] - pose.origin.front()) > kShortestMetacarpal * length) {
-    set_base(preferred_value(joint, kStraightTolerance * length, evidence.zero_is_straight, [&](double candidate) {
-      set_joint(anatomy.tree, variable, candidate, q);
-      pose_finger(anatomy, finger, q, pose);
-      return norm(pose.tip - pose.origin.front());
-    }));
+  // its angle to the palm, by the witness that knows it best
+  BaseAngle angle = known;
+  if (evidence.zero_is_straight && has_zero(base.joint())) {
+    base.set(0);
+  } else if (base.has_metacarpal()) {
+    base.continue_metacarpal(evidence.zero_is_straight);
   } else {
-    const double bent_back = std::max(std::min(kTypicalHyperextension, range / 4), range - kTypicalClosing);
-    set_base(open_end + (sense > 0 ? bent_back : -bent_back));
-    flexion.base_error = kGuessedBaseError * range;
-    flexion.base_is_guess = true;
-    if (evidence.slab) {
-      if (const auto turn = turn_to_axis(anatomy, finger, flexion, q, evidence.slab->normal, pose)) {
-        set_base(value + *turn / sense);
-        flexion.base_error = std::min(flexion.base_error, evidence.slab->error);
-        flexion.base_is_guess = false;
-      }
+    base.set_by_range();
+    angle = {kGuessedBaseError * base.range(), true};
+    const auto turn = evidence.slab ? base.turn_to(evidence.slab->normal) : std::nullopt;
+    if (turn) {
+      base.close_by(*turn);
+      angle = {std::min(angle.error, evidence.slab->error), false};
     }
   }
-  if (first == 0 || anatomy.tree.joints[finger.joints[first - 1]].kind == JointKind::prismatic) return;
 
-  // A side joint before it turns about the palm normal or about the finger. Two estimates are better than one, and
-  // their difference tells how good they are.
-  pose_finger(anatomy, finger, q, pose);
-  const std::optional<double> turn = turn_to_axis(anatomy, finger, flexion, q, pose.axis[first - 1], pose);
-  if (!turn) return;
-  set_base(value + (flexion.base_is_guess ? *turn : *turn / 2) / sense);
-  flexion.base_error = flexion.base_is_guess ? kKnownBaseError : std::max(kKnownBaseError, std::abs(*turn) / 2);
-  flexion.base_is_guess = false;
+  // a side joint before it is a second witness: two estimates are better than one, and their difference tells how good
+  // they are; a guess gives way
+  const std::optional<double> turn = base.turn_to_side_joint();
+  if (!turn) return angle;
+  base.close_by(angle.is_guess ? *turn : *turn / 2);
+  return angle.is_guess ? known : BaseAngle{std::max(kKnownBaseError, std::abs(*turn) / 2), false};
+}
+
+ExtendedHand extend_hand(const HandSkeleton& hand, const HandMotion& motion, std::vector<double> q) {
+  const BaseEvidence evidence = {motion.zero_is_straight, motion.slab};
+  ExtendedHand extended;
+
+  // each finger by itself, from the same pose
+  std::vector<double> sum(q.size(), 0.0), wanted(q.size(), 0.0);
+  for (std::size_t i = 0; i < hand.fingers.size(); ++i) {
+    const FingerSkeleton& finger = hand.fingers[i];
+    const Flexion& flexion = motion.flexions[i];
+    std::vector<double> alone = q;
+    const BaseAngle found = extend_finger(hand.tree, finger, flexion, evidence, alone);
+    const bool is_stated = motion.held[variable_of(hand.tree, finger.joints[flexion.positions.front()])];
+    extended.bases.push_back(is_stated ? BaseAngle{} : found);
+    for (int joint : finger.joints) {
+      const int variable = variable_of(hand.tree, joint);
+      sum[variable] += alone[variable];
+      ++wanted[variable];
+    }
+  }
+
+  // a joint of several fingers in the middle of what they want
+  for (std::size_t i = 0; i < q.size(); ++i)
+    if (wanted[i] > 0 && !motion.held[i]) q[i] = sum[i] / wanted[i];
+  apply_mimics(hand.tree, q);
+  extended.postures = measure_postures(hand, motion.flexions, q);
+  extended.q = std::move(q);
+  return extended;
 }
 
 }  // namespace uhas

@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include "uhas/anatomy/opening/preferred_value.hpp"
+
 namespace uhas {
 namespace {
 
@@ -22,28 +24,28 @@ struct FingerGroup {
   std::vector<int> variables;  ///< root to tip
 };
 
-std::vector<int> variables_of(const Anatomy& anatomy, int finger) {
+std::vector<int> variables_of(const HandSkeleton& hand, int finger) {
   std::vector<int> variables;
-  for (int joint : anatomy.fingers[finger].joints) {
-    const int variable = variable_of(anatomy.tree, joint);
-    if (std::find(variables.begin(), variables.end(), variable) == variables.end()) variables.push_back(variable);
+  for (int joint : hand.fingers[finger].joints) {
+    const int variable = variable_of(hand.tree, joint);
+    if (std::ranges::find(variables, variable) == variables.end()) variables.push_back(variable);
   }
   return variables;
 }
 
-std::vector<FingerGroup> group_fingers(const Anatomy& anatomy) {
+/// One group for each finger, merged with the earlier groups that it shares a variable with.
+std::vector<FingerGroup> group_fingers(const HandSkeleton& hand) {
   std::vector<FingerGroup> groups;
-  for (int finger = 0; finger < static_cast<int>(anatomy.fingers.size()); ++finger) {
-    FingerGroup merged{{finger}, variables_of(anatomy, finger)};
+  for (int finger = 0; finger < hand.finger_count(); ++finger) {
+    FingerGroup merged{{finger}, variables_of(hand, finger)};
+    const auto has = [&](int variable) {
+      return std::ranges::find(merged.variables, variable) != merged.variables.end();
+    };
     std::erase_if(groups, [&](const FingerGroup& group) {
-      const bool shares = std::any_of(group.variables.begin(), group.variables.end(), [&](int variable) {
-        return std::find(merged.variables.begin(), merged.variables.end(), variable) != merged.variables.end();
-      });
-      if (!shares) return false;
+      if (std::ranges::none_of(group.variables, has)) return false;
       merged.fingers.insert(merged.fingers.end(), group.fingers.begin(), group.fingers.end());
       for (int variable : group.variables)
-        if (std::find(merged.variables.begin(), merged.variables.end(), variable) == merged.variables.end())
-          merged.variables.push_back(variable);
+        if (!has(variable)) merged.variables.push_back(variable);
       return true;
     });
     groups.push_back(std::move(merged));
@@ -51,32 +53,29 @@ std::vector<FingerGroup> group_fingers(const Anatomy& anatomy) {
   return groups;
 }
 
+/// Opens groups of fingers, one after the other, for a palm normal.
 class OpenPoseSearch {
  public:
-  OpenPoseSearch(const Anatomy& anatomy, std::span<const Flexion> flexions, const PalmNormal& normal,
-                 bool zero_is_neutral, const std::vector<bool>& held)
-      : anatomy_(anatomy),
-        flexions_(flexions),
-        normal_(normal.normal),
-        opposing_(normal.opposing),
-        zero_is_neutral_(zero_is_neutral),
-        held_(held) {
-    for (const FingerAnatomy& finger : anatomy.fingers) length_.push_back(finger_length(anatomy, finger));
+  OpenPoseSearch(const HandSkeleton& hand, const HandMotion& motion, const ExtendedHand& extended, int thumb,
+                 const PalmNormal& normal)
+      : hand_(hand), motion_(motion), bases_(extended.bases), thumb_(thumb), normal_(normal) {
+    for (const FingerSkeleton& finger : hand.fingers) length_.push_back(finger_length(hand.tree, finger));
   }
 
   /// The groups of fingers that are opened together, with the variables to find. A gripper's fingers open by flexion
   /// alone: one that cannot lie flat would lean to its side for that.
   std::vector<FingerGroup> groups(Bases bases) const {
-    std::vector<FingerGroup> groups = group_fingers(anatomy_);
+    std::vector<FingerGroup> groups = group_fingers(hand_);
     for (FingerGroup& group : groups)
       std::erase_if(group.variables, [&](int variable) {
-        const bool is_base = is_base_flexion(group, variable);
-        return held_[variable] || stays_extended(group, variable) || (is_base ? bases == Bases::held : opposing_);
+        const bool is_searched = is_base_flexion(group, variable) ? bases == Bases::searched : !normal_.opposing;
+        return !is_searched || motion_.held[variable] || stays_extended(group, variable);
       });
     return groups;
   }
 
-  void open(const FingerGroup& group, std::vector<double>& q) {
+  /// The best of the climbs from all starts; of equals the earlier.
+  void open(const FingerGroup& group, std::vector<double>& q) const {
     double best_value = -std::numeric_limits<double>::infinity();
     std::vector<double> best;
     for (std::vector<double>& start : starts(group, q)) {
@@ -90,19 +89,23 @@ class OpenPoseSearch {
  private:
   /// How open the fingers of the group are: 2 for each that is straight in the palm plane with its pad
   /// along the normal.
-  double openness(const FingerGroup& group, std::span<const double> q) {
+  double openness(const FingerGroup& group, std::span<const double> q) const {
+    const Vector3d n = normal_.normal;
     double sum = 0;
     for (int finger : group.fingers) {
-      const FingerPosture posture = measure_posture(anatomy_, anatomy_.fingers[finger], flexions_[finger], q, scratch_);
-      sum +=
-          norm(orthogonal_part(posture.tip - posture.root, normal_)) / length_[finger] + dot(posture.closing, normal_);
+      const FingerPosture posture = measure_posture(hand_.tree, hand_.fingers[finger], motion_.flexions[finger], q);
+      sum += norm(orthogonal_part(posture.tip - posture.root, n)) / length_[finger] + dot(posture.closing, n);
     }
     return sum;
   }
 
-  double try_value(const FingerGroup& group, int variable, double value, std::span<double> q) {
-    set_joint(anatomy_.tree, variable, value, q);
+  double try_value(const FingerGroup& group, int variable, double value, std::span<double> q) const {
+    set_joint(hand_.tree, variable, value, q);
     return openness(group, q);
+  }
+
+  int flexion_variable(int finger, std::size_t i) const {
+    return variable_of(hand_.tree, hand_.fingers[finger].joints[motion_.flexions[finger].positions[i]]);
   }
 
   /// Distal flexion joints, a thumb's flexion joints and sliding jaws are open where `q` has them: straight, or at the
@@ -110,20 +113,16 @@ class OpenPoseSearch {
   /// thumb's when it is a guess.
   bool stays_extended(const FingerGroup& group, int variable) const {
     for (int finger : group.fingers) {
-      const Flexion& flexion = flexions_[finger];
-      const bool thumb_stays = finger == anatomy_.thumb && !flexion.base_is_guess;
-      const std::size_t from = thumb_stays || flexion.sliding ? 0 : 1;
-      for (std::size_t i = from; i < flexion.positions.size(); ++i)
-        if (variable_of(anatomy_.tree, anatomy_.fingers[finger].joints[flexion.positions[i]]) == variable) return true;
+      const Flexion& flexion = motion_.flexions[finger];
+      const bool thumb_stays = finger == thumb_ && !bases_[finger].is_guess;
+      for (std::size_t i = thumb_stays || flexion.sliding ? 0 : 1; i < flexion.positions.size(); ++i)
+        if (flexion_variable(finger, i) == variable) return true;
     }
     return false;
   }
 
   bool is_base_flexion(const FingerGroup& group, int variable) const {
-    return std::any_of(group.fingers.begin(), group.fingers.end(), [&](int finger) {
-      const int joint = anatomy_.fingers[finger].joints[flexions_[finger].positions.front()];
-      return variable_of(anatomy_.tree, joint) == variable;
-    });
+    return std::ranges::any_of(group.fingers, [&](int finger) { return flexion_variable(finger, 0) == variable; });
   }
 
   /// `q` and every combination of low, middle and high values of the first side joints.
@@ -132,12 +131,12 @@ class OpenPoseSearch {
     std::size_t varied = 0;
     for (int variable : group.variables) {
       if (is_base_flexion(group, variable) || varied++ == kMaxStartJoints) continue;
-      const Joint& joint = anatomy_.tree.joints[variable];
+      const Joint& joint = hand_.tree.joints[variable];
       const std::size_t count = starts.size();
       for (std::size_t i = 0; i < count; ++i) {
         for (double value : {joint.lower, joint.upper}) {
           starts.push_back(starts[i]);
-          set_joint(anatomy_.tree, variable, value, starts.back());
+          set_joint(hand_.tree, variable, value, starts.back());
         }
       }
     }
@@ -145,49 +144,47 @@ class OpenPoseSearch {
   }
 
   /// Coordinate ascent; every joint scans its whole range.
-  double climb(const FingerGroup& group, std::vector<double>& q) {
+  double climb(const FingerGroup& group, std::vector<double>& q) const {
     double value = openness(group, q);
     for (;;) {
       for (int variable : group.variables) {
-        const double best = preferred_value(anatomy_.tree.joints[variable], kGain, zero_is_neutral_,
+        const double best = preferred_value(hand_.tree.joints[variable], kGain, motion_.zero_is_straight,
                                             [&](double candidate) { return try_value(group, variable, candidate, q); });
-        set_joint(anatomy_.tree, variable, best, q);
+        set_joint(hand_.tree, variable, best, q);
       }
       const double before = std::exchange(value, openness(group, q));
       if (!(value > before + kGain)) return value;
     }
   }
 
-  /// Designers put "open" at zero: zero is taken where it costs next to nothing, by base flexion joints or
-  /// by all others.
-  void settle(const FingerGroup& group, std::vector<double>& q) {
+  /// Designers put "open" at zero: zero is taken where it costs next to nothing, joint by joint, and what one joint
+  /// costs is not there for the next.
+  void settle(const FingerGroup& group, std::vector<double>& q) const {
     double lowest = openness(group, q);
-    for (int finger : group.fingers) lowest -= finger == anatomy_.thumb ? kThumbSnapTolerance : kSnapTolerance;
+    for (int finger : group.fingers) lowest -= finger == thumb_ ? kThumbSnapTolerance : kSnapTolerance;
     for (int variable : group.variables) {
-      const double best = openness(group, q);
+      const double left = openness(group, q) - lowest;
       const double value = preferred_value(
-          anatomy_.tree.joints[variable], best - lowest, zero_is_neutral_,
+          hand_.tree.joints[variable], left, motion_.zero_is_straight,
           [&, trial = q](double candidate) mutable { return try_value(group, variable, candidate, trial); });
-      set_joint(anatomy_.tree, variable, value, q);
+      set_joint(hand_.tree, variable, value, q);
     }
   }
 
-  const Anatomy& anatomy_;
-  std::span<const Flexion> flexions_;
-  Vector3d normal_;
-  bool opposing_;
-  bool zero_is_neutral_;
-  const std::vector<bool>& held_;
-  std::vector<double> length_;
-  FingerPose scratch_;
+  const HandSkeleton& hand_;
+  const HandMotion& motion_;
+  const std::vector<BaseAngle>& bases_;
+  int thumb_;
+  const PalmNormal& normal_;
+  std::vector<double> length_;  ///< one a finger
 };
 
 }  // namespace
 
-std::vector<double> find_open_pose(const Anatomy& anatomy, std::span<const Flexion> flexions, const PalmNormal& normal,
-                                   bool zero_is_neutral, Bases bases, std::vector<double> q,
-                                   const std::vector<bool>& held) {
-  OpenPoseSearch search(anatomy, flexions, normal, zero_is_neutral, held);
+std::vector<double> find_open_pose(const HandSkeleton& hand, const HandMotion& motion, const ExtendedHand& extended,
+                                   int thumb, const PalmNormal& normal, Bases bases) {
+  const OpenPoseSearch search(hand, motion, extended, thumb, normal);
+  std::vector<double> q = extended.q;
   for (const FingerGroup& group : search.groups(bases)) search.open(group, q);
   return q;
 }

@@ -16,7 +16,8 @@ constexpr double kSlabError = 0.1;
 
 Eigen::Vector3d to_eigen(Vector3d v) { return {v.x, v.y, v.z}; }
 
-/// Area, first and second moment of a surface about the origin of P.
+/// Area, first and second moment of a surface about the origin of P, exact for flat triangles: over a triangle of area a
+/// with corners p and their sum s, the integral of x is a s / 3, that of x x^T is a (sum of p p^T + s s^T) / 12.
 struct SurfaceMoments {
   double area = 0;
   Eigen::Vector3d first = Eigen::Vector3d::Zero();
@@ -37,20 +38,24 @@ struct SurfaceMoments {
 
 }  // namespace
 
-std::optional<PalmSlab> find_palm_slab(const HandModel& model, const Anatomy& anatomy, Vector3d knuckle_center) {
+std::optional<PalmSlab> find_palm_slab(const HandModel& model, const PalmTree& palm, Vector3d knuckle_center) {
+  // moments of the surface of the palm's rigid group
   SurfaceMoments moments;
-  for (std::size_t i = 0; i < anatomy.links.size(); ++i) {
-    if (anatomy.links[i].joint >= 0) continue;
-    const TriangleMesh& mesh = model.links[anatomy.model_links[i]].mesh;
+  for (std::size_t i = 0; i < palm.links.size(); ++i) {
+    if (palm.links[i].joint >= 0) continue;
+    const TriangleMesh& mesh = model.links[palm.model_links[i]].mesh;
     const auto corner = [&](std::uint32_t vertex) {
-      return to_eigen(anatomy.links[i].T_joint_link * mesh.vertices[vertex]);
+      return to_eigen(palm.links[i].T_joint_link * mesh.vertices[vertex]);
     };
     for (const auto& [a, b, c] : mesh.triangles) moments.add({corner(a), corner(b), corner(c)});
   }
   if (!(moments.area > 0)) return std::nullopt;
 
+  // a slab is much thinner along one principal axis than along the next
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(moments.covariance());  // thinnest first
   if (axes.eigenvalues()[0] > kThickest * kThickest * axes.eigenvalues()[1]) return std::nullopt;
+
+  // the way from its middle to the knuckles lies in it: what it leaves that way by is its error
   const Eigen::Vector3d thinnest = axes.eigenvectors().col(0);
   const Eigen::Vector3d reach = to_eigen(knuckle_center) - moments.mean();
   const double tilt = reach.norm() > 0 ? std::asin(std::min(1.0, std::abs(thinnest.dot(reach)) / reach.norm())) : 0;

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "uhas/anatomy/anatomy.hpp"
+#include "uhas/anatomy/palm/palm_tree.hpp"
 
 namespace uhas {
 
@@ -12,8 +12,8 @@ struct PalmSlab {
   double error = 0;  ///< of its angle to the palm normal (rad, a standard error)
 };
 
-/// Nothing when the palm has no geometry or is no slab. Reads the palm's links.
+/// Nothing when the palm has no geometry or is no slab.
 /// @param knuckle_center  in P: a palm reaches toward it, and a slab that does not is tilted
-std::optional<PalmSlab> find_palm_slab(const HandModel& model, const Anatomy& anatomy, Vector3d knuckle_center);
+std::optional<PalmSlab> find_palm_slab(const HandModel& model, const PalmTree& palm, Vector3d knuckle_center);
 
 }  // namespace uhas

@@ -49,6 +49,7 @@ Number* new_buffer(RTCDevice device, RTCGeometry geometry, RTCBufferType type, R
 
 Geometry new_geometry(RTCDevice device, const PosedMesh& posed) {
   const TriangleMesh& mesh = *posed.mesh;
+  // the vertices, where the mesh stands
   Geometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
   check(device);
   float* xyz =
@@ -59,6 +60,8 @@ Geometry new_geometry(RTCDevice device, const PosedMesh& posed) {
     *xyz++ = static_cast<float>(p.y);
     *xyz++ = static_cast<float>(p.z);
   }
+
+  // the triangles
   unsigned* corner =
       new_buffer<unsigned>(device, geometry.get(), RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, mesh.triangles.size());
   for (const auto& triangle : mesh.triangles) corner = std::copy(triangle.begin(), triangle.end(), corner);
@@ -79,6 +82,8 @@ RayCaster::RayCaster(std::span<const PosedMesh> meshes) : embree_(std::make_uniq
   // machine's number of cores
   embree_->device.reset(rtcNewDevice("threads=1"));
   check(embree_->device.get());
+
+  // a scene whose meshes keep their indices; an empty one has none
   const RTCDevice device = embree_->device.get();
   embree_->scene.reset(rtcNewScene(device));
   check(device);

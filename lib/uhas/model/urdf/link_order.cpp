@@ -29,6 +29,7 @@ std::vector<OrderedLink> order_links(const Urdf& urdf, const std::string& file) 
     throw Error(ErrorCode::invalid_model, file, problem, remedy);
   };
 
+  // what joins the links; each has at most one joint above it
   std::vector<int> joint_above(urdf.links.size(), -1);
   std::vector<std::vector<int>> children(urdf.links.size());
   for (std::size_t j = 0; j < urdf.joints.size(); ++j) {
@@ -47,6 +48,7 @@ std::vector<OrderedLink> order_links(const Urdf& urdf, const std::string& file) 
     children[parent].push_back(child);
   }
 
+  // the one link without a joint above it
   const auto root = std::ranges::find(joint_above, -1);
   if (root == joint_above.end())
     fail("the links form a cycle, so there is no root link", "break it by removing a joint");
@@ -56,7 +58,7 @@ std::vector<OrderedLink> order_links(const Urdf& urdf, const std::string& file) 
              urdf.links[second_root - joint_above.begin()].name + "'",
          "connect them by a fixed joint or remove one");
 
-  // an explicit stack, for a chain may be as long as the file allows
+  // depth first from there, with an explicit stack, for a chain may be as long as the file allows
   struct Pending {
     int link, parent;
   };
@@ -73,6 +75,8 @@ std::vector<OrderedLink> order_links(const Urdf& urdf, const std::string& file) 
     std::ranges::sort(below, std::ranges::greater{});  // links are sorted by name, so indices compare as names
     for (const int child : below) stack.push_back({child, position});
   }
+
+  // what was not reached hangs on a cycle
   const auto lost = std::ranges::find(reached, false);
   if (lost != reached.end())
     fail("link '" + urdf.links[lost - reached.begin()].name + "' hangs on a cycle of joints, apart from the root",
@@ -90,6 +94,7 @@ std::vector<FlatMimic> flatten_mimics(const Urdf& urdf, const std::string& file)
   for (std::size_t j = 0; j < urdf.joints.size(); ++j) {
     const std::string& follower = urdf.joints[j].joint.name;
     FlatMimic& flat = result[j];
+    // from master to master, until one is independent
     std::size_t links_of_chain = 0;
     for (const UrdfJoint* joint = &urdf.joints[j]; joint->mimic; joint = &urdf.joints[flat.master]) {
       flat.master = find_joint(urdf, joint->mimic->master);

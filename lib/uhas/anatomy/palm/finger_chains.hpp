@@ -1,4 +1,5 @@
-// Which rigid group of the model is the palm, and which chains of joints are its fingers.
+// Which rigid group of the model is the palm, and which chains of joints are its fingers (docs/method.md#anatomy, "Palm
+// and fingers").
 // A rigid group is what one movable joint carries without another joint between; group -1 hangs on the root link.
 #pragma once
 

@@ -1,11 +1,11 @@
-#include "uhas/anatomy/fingers/finger_chains.hpp"
+#include "uhas/anatomy/palm/finger_chains.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <utility>
 
 #include "uhas/anatomy/config_names.hpp"
-#include "uhas/anatomy/fingers/stated_chains.hpp"
+#include "uhas/anatomy/palm/stated_chains.hpp"
 #include "uhas/base/errors.hpp"
 
 namespace uhas {
@@ -24,6 +24,7 @@ constexpr std::size_t kMaxFingers = 20;
 class Branches {
  public:
   explicit Branches(const HandModel& model) : joints_(model.tree.joints), children_(joints_.size() + 1) {
+    // how far links and meshes reach from the joint that carries them
     std::vector<double> extent(joints_.size(), 0.0);
     for (const ModelLink& link : model.links) {
       if (link.joint < 0) continue;
@@ -31,10 +32,12 @@ class Branches {
       reach = std::max(reach, norm(link.T_joint_link.translation));
       for (const Vector3d& vertex : link.mesh.vertices) reach = std::max(reach, norm(link.T_joint_link * vertex));
     }
+
+    // and how far all that a joint carries, from the outermost joints inward
     reach_ = extent;
     independent_.assign(joints_.size(), false);
     for (int joint = static_cast<int>(joints_.size()) - 1; joint >= 0; --joint) {
-      // A last joint without geometry and frames: its phalanx is taken to be as long as the one before.
+      // a last joint without geometry and frames: its phalanx is taken to be as long as the one before
       if (children(joint).empty() && !(extent[joint] > 0)) reach_[joint] = offset(joint);
       if (joints_[joint].mimic_master < 0) independent_[joint] = true;
       const int parent = joints_[joint].parent;
@@ -71,6 +74,7 @@ class Branches {
   std::vector<bool> independent_;
 };
 
+/// The chains of joints on one group that are long enough for fingers, and how clearly they are.
 class ChainCollector {
  public:
   ChainCollector(const Branches& branches, int palm_group) : branches_(branches) {
@@ -83,10 +87,11 @@ class ChainCollector {
   }
 
   std::vector<std::vector<int>> chains;
-  double margin = 1;
+  double margin = 1;  ///< how clear the closest decision was: 1 from half as long again as it takes
 
  private:
   void extend(std::vector<int> chain, double finger_length) {
+    // the longest child goes on with the finger; others make fingers of their own on the joints so far
     std::vector<int> next;
     const double longest = branches_.longest_child(chain.back());
     for (int child : branches_.children(chain.back())) {
@@ -100,9 +105,10 @@ class ChainCollector {
         if (reach >= kShortestFollower * longest) next.push_back(child);
       }
     }
-    // Of equally long branches that only follow, one is the finger.
+    // of equally long branches that only follow, one is the finger
     if (next.size() > 1)
       std::erase_if(next, [&](int child) { return child != next.front() && !branches_.independent(child); });
+
     if (next.empty()) return chains.push_back(std::move(chain));
     for (int child : next) {
       std::vector<int> longer = chain;
@@ -111,6 +117,7 @@ class ChainCollector {
     }
   }
 
+  /// Remembers how far `reach` is from the threshold that decides.
   void judge(double reach, double threshold) {
     if (!(threshold > 0)) return;
     const double ratio = reach / threshold;
@@ -125,6 +132,7 @@ class ChainCollector {
 int find_palm_group(const Branches& branches, double& margin) {
   int group = -1;
   for (;;) {
+    // the branches as long as a finger, the longest and the second
     const double longest = branches.longest_child(group);
     int significant = 0, next = -1;
     double second = 0;
@@ -134,6 +142,8 @@ int find_palm_group(const Branches& branches, double& margin) {
     }
     for (int child : branches.children(group))
       if (child != next) second = std::max(second, branches.reach(child));
+
+    // one alone that carries several fingers is an arm
     if (significant != 1 || ChainCollector(branches, next).chains.size() < 2) return group;
     margin = std::min(margin, 1 - second / longest);
     group = next;
@@ -142,12 +152,14 @@ int find_palm_group(const Branches& branches, double& margin) {
 
 /// Of the palm's rigid group, the link that most fingers hang on; then the one with the larger mesh.
 int find_palm_link(const HandModel& model, const FingerChains& found) {
+  // fingers by the link that carries their first joint
   std::vector<std::size_t> fingers(model.links.size(), 0);
   for (const ModelLink& link : model.links) {
     if (link.parent_link < 0 || model.links[link.parent_link].joint == link.joint) continue;
     for (const std::vector<int>& chain : found.chains)
       if (chain.front() == link.joint) ++fingers[link.parent_link];
   }
+
   int palm = -1;
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     if (model.links[i].joint != found.palm_group) continue;
@@ -161,6 +173,7 @@ int find_palm_link(const HandModel& model, const FingerChains& found) {
 }  // namespace
 
 FingerChains find_finger_chains(const HandModel& model, const HandConfig& config) {
+  // what the config states of fingers and palm
   const Branches branches(model);
   FingerChains found;
   if (!config.fingers.empty()) {
@@ -179,6 +192,7 @@ FingerChains find_finger_chains(const HandModel& model, const HandConfig& config
     found.palm_group = find_palm_group(branches, found.palm_margin);
   }
 
+  // what hangs on the palm
   if (config.fingers.empty()) {
     ChainCollector collector(branches, found.palm_group);
     found.chains = std::move(collector.chains);

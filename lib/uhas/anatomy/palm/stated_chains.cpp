@@ -1,4 +1,4 @@
-#include "uhas/anatomy/fingers/stated_chains.hpp"
+#include "uhas/anatomy/palm/stated_chains.hpp"
 
 #include <algorithm>
 #include <string_view>

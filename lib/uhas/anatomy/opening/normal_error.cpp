@@ -1,4 +1,4 @@
-#include "uhas/anatomy/palm/normal_error.hpp"
+#include "uhas/anatomy/opening/normal_error.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ double square(double x) { return x * x; }
 
 /// How far a finger may be rolled about its own direction (rad, a standard error) by joints whose open value
 /// is a guess.
-double roll_error(const Flexion& flexion, const FingerPosture& posture, const FingerPose& pose) {
+double roll_error(const FlexionJoints& flexion, const FingerPosture& posture, const FingerPose& pose) {
   double rolled = 0;
   for (int i = 0; i < flexion.positions.back(); ++i)
     if (std::ranges::find(flexion.positions, i) == flexion.positions.end())
@@ -40,23 +40,26 @@ double unexplained_tilt(const PalmNormal& found, const PalmSlab& slab) {
 
 }  // namespace
 
-double palm_normal_error(const Anatomy& anatomy, const PalmNormal& found, const NormalWitnesses& witnesses,
-                         std::span<const double> q) {
+double palm_normal_error(const HandSkeleton& hand, const HandMotion& motion, const ExtendedHand& extended, int thumb,
+                         const PalmNormal& found) {
+  // what each witness may be off by: the angle of its base to the palm, and its roll where zero does not tell that
   std::vector<double> base, roll;
-  FingerPose pose;
-  for (int i = 0; i < static_cast<int>(witnesses.flexions.size()); ++i) {
-    if (i == anatomy.thumb && !found.opposing) continue;
-    const Flexion& flexion = witnesses.flexions[i];
-    pose_finger(anatomy, anatomy.fingers[i], q, pose);
-    base.push_back(flexion.base_error);
-    roll.push_back(witnesses.zero_is_straight ? 0 : roll_error(flexion, witnesses.postures[i], pose));
+  for (int i = 0; i < hand.finger_count(); ++i) {
+    if (i == thumb && !found.opposing) continue;
+    const FingerPose pose = pose_finger(hand.tree, hand.fingers[i], extended.q);
+    base.push_back(extended.bases[i].error);
+    roll.push_back(motion.zero_is_straight ? 0 : roll_error(motion.flexions[i], extended.postures[i], pose));
   }
-  if (found.opposing) {  // what opposing fingers have in common cancels
+
+  // what opposing fingers have in common cancels
+  if (found.opposing) {
     double squares = 0;
     for (double error : base) squares += square(error);
     return std::sqrt(squares) / static_cast<double>(base.size());
   }
-  const double surface = witnesses.slab ? unexplained_tilt(found, *witnesses.slab) : 0;
+
+  // a row: the errors of the means, the spread of its fingers, and what the palm's surface says against it
+  const double surface = motion.slab ? unexplained_tilt(found, *motion.slab) : 0;
   return std::sqrt(squared_error_of_mean(base) + squared_error_of_mean(roll) + square(found.spread) + surface);
 }
 

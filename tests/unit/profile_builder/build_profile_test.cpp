@@ -1,4 +1,4 @@
-#include "uhas/profile_builder/build_profile.hpp"
+#include "uhas/profile_builder/build_stages.hpp"
 
 #include <doctest/doctest.h>
 

@@ -7,21 +7,19 @@ set(UHAS_DATA_FOLDER ${CMAKE_INSTALL_DATADIR}/uhas)
 # Debian's zsh reads this folder below /usr; below /usr/local it reads share/zsh/site-functions
 set(UHAS_ZSH_FOLDER ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions CACHE STRING "Where completions for zsh are installed")
 
-file(RELATIVE_PATH libraries_from_tools /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR})
-set(CMAKE_INSTALL_RPATH $ORIGIN $ORIGIN/${libraries_from_tools})
-
 # What is installed is of one of three components, which become packages (cmake/packages.cmake): runtime, what a robot needs;
 # dev, what compiling against the libraries needs; tools, the rest.
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME tools)
 
-# uhas_install_library(<library>): the library uhas_<library> and its public headers (lib/public_headers.txt).
-function(uhas_install_library library)
+# uhas_install_library(<library> <target>): the target, as uhas::<library>, and its public headers (lib/public_headers.txt).
+function(uhas_install_library library target)
   if(library STREQUAL runtime)
     set(component runtime)
   else()
     set(component tools)
   endif()
-  install(TARGETS uhas_${library} EXPORT uhas-${library}
+  set_target_properties(${target} PROPERTIES INSTALL_RPATH $ORIGIN)
+  install(TARGETS ${target} EXPORT uhas-${library}
     LIBRARY COMPONENT ${component} NAMELINK_COMPONENT dev ARCHIVE COMPONENT dev INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
   install(EXPORT uhas-${library} NAMESPACE uhas:: DESTINATION ${UHAS_CONFIG_FOLDER} COMPONENT dev)
   file(STRINGS ${PROJECT_SOURCE_DIR}/lib/public_headers.txt headers REGEX "^${library} ")

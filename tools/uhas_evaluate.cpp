@@ -40,8 +40,7 @@ void add_options(CLI::App& app, Options& options) {
                  "Threads to work on [all processors]; the scores do not depend on it")
       ->check(CLI::Range(1, 1024).description(""))
       ->type_name("N");
-  app.add_option("--html", options.html, "Also draw the hands with their scores as a page for any browser, offline")
-      ->type_name("hand.html");
+  add_html_option(app, options.html, "Also draw the hands with their scores as a page for any browser, offline");
   app.add_flag("--markdown", options.markdown, "Print the scores of all hands as a Markdown table");
   add_model_options(app, options.model);
 }

@@ -71,9 +71,7 @@ void add_options(CLI::App& app, Options& options) {
                "State with each solution which links come nearest to each other, and how near");
   app.add_flag("--avoid", options.collision.avoid,
                "Scale back actions whose solution has the hand collide with itself");
-  app.add_option("--html", options.html,
-                 "Draw also the solutions, played on the hand, as a page for any browser, offline")
-      ->type_name("hand.html");
+  add_html_option(app, options.html, "Draw also the solutions, played on the hand, as a page for any browser, offline");
   add_model_options(app, options.model);
   add_limit(app, "--max-json-bytes", options.limits.max_json_bytes, "Refuse a larger file of actions");
   add_limit(app, "--max-actions", options.limits.max_actions,

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "fuzz_file.hpp"
-#include "uhas/profile_builder/build_profile.hpp"
+#include "uhas/profile_builder/build_stages.hpp"
 #include "uhas/runtime/cascade_solver.hpp"
 
 namespace uhas::test {

@@ -78,7 +78,7 @@ class Installation:
         """Each alone, so that none leans on what another includes; those of C in C99 too."""
         include = self.prefix / "include"
         headers = sorted(path.relative_to(include) for path in include.rglob("*.h*"))
-        libraries = ["runtime", "preprocess", "analysis"] if self.has_preprocess else ["runtime"]
+        libraries = ["runtime", "preprocess"] if self.has_preprocess else ["runtime"]
         listed = [line.split() for line in (ROOT / "lib/public_headers.txt").read_text().splitlines()]
         public = sorted(pathlib.Path("uhas") / header for library, header in listed if library in libraries)
         if headers != public:

@@ -6,7 +6,7 @@
 #include "support/environment.hpp"
 #include "support/model_transforms.hpp"
 #include "support/random_hand.hpp"
-#include "uhas/profile_builder/build_profile.hpp"
+#include "uhas/profile_builder/build_stages.hpp"
 
 using namespace uhas;
 using namespace uhas::test;

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "uhas/kinematics/forward_kinematics.hpp"
-#include "uhas/profile_builder/build_profile.hpp"
+#include "uhas/profile_builder/build_stages.hpp"
 
 namespace uhas::test {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "command_line/tool.hpp"
-#include "uhas/profile_builder/build_profile.hpp"
+#include "uhas/profile_builder/build_stages.hpp"
 
 namespace uhas::tools {
 

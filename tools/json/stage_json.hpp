@@ -2,7 +2,7 @@
 #pragma once
 
 #include "json/json_text.hpp"
-#include "uhas/profile_builder/build_profile.hpp"
+#include "uhas/profile_builder/build_stages.hpp"
 
 namespace uhas::tools {
 

@@ -12,8 +12,7 @@
 namespace uhas::tools {
 
 void add_picture_options(CLI::App& app, PictureFiles& files) {
-  app.add_option("--html", files.html, "Draw the hands, which move by sliders, as a page for any browser, offline")
-      ->type_name("hand.html");
+  add_html_option(app, files.html, "Draw the hands, which move by sliders, as a page for any browser, offline");
   app.add_option("--gltf", files.glb, "Draw the wrapped hand, its sphere and its surface points as binary glTF")
       ->type_name("hand.glb");
   app.add_option("--ply", files.ply, "Write the surface points with their sphere coordinates as PLY")

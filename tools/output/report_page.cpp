@@ -5,6 +5,12 @@
 
 namespace uhas::tools {
 
+void add_html_option(CLI::App& app, std::string& file, const std::string& description) {
+  app.add_option("--html", file, description)->type_name("hand.html")->each([](const std::string&) {
+    require_html_report();
+  });
+}
+
 std::vector<ReportHand> report_hands(std::span<const ProfileFile> profiles,
                                      const std::vector<HandGeometry>& geometries) {
   std::vector<ReportHand> hands;

@@ -6,7 +6,7 @@
 
 #include "command_line/tool.hpp"
 #include "json/json_text.hpp"
-#include "uhas/profile_builder/build_profile.hpp"
+#include "uhas/profile_builder/build_stages.hpp"
 
 namespace uhas::tools {
 

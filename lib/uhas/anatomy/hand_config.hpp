@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "uhas/base/export.hpp"
 #include "uhas/base/vector3.hpp"
 #include "uhas/profile/hand_profile.hpp"
 
@@ -16,7 +17,7 @@ namespace uhas {
 inline constexpr const char* kStatedInConfig = "stated in the hand config";
 
 /// The warning about a finding with a confidence below 0.5, which names the key to set; "" for any other.
-std::string doubt(const HandFinding& finding);
+UHAS_API std::string doubt(const HandFinding& finding);
 
 /// The tip of the finger whose last joint carries `link`.
 struct StatedFingertip {
@@ -51,12 +52,12 @@ inline constexpr std::uint64_t kMaxHandConfigBytes = 1u << 20;
 /// handedness, mean "infer".
 /// Throws Error: file_unreadable, limit_exceeded, syntax, unsupported_version, invalid_config (an unknown key names the
 /// nearest known one).
-HandConfig read_hand_config(const std::string& path, std::uint64_t max_bytes = kMaxHandConfigBytes);
+UHAS_API HandConfig read_hand_config(const std::string& path, std::uint64_t max_bytes = kMaxHandConfigBytes);
 
 /// The same from JSON text; `file` names its source in errors.
-HandConfig parse_hand_config(const std::string& text, const std::string& file);
+UHAS_API HandConfig parse_hand_config(const std::string& text, const std::string& file);
 
 /// The config as canonical JSON text (sorted keys, no white space): part of the profile's settings.
-std::string to_canonical_json(const HandConfig& config);
+UHAS_API std::string to_canonical_json(const HandConfig& config);
 
 }  // namespace uhas

@@ -16,6 +16,8 @@ std::string compose(const std::string& file, const std::string& problem, const s
 Error::Error(ErrorCode code, const std::string& file, const std::string& problem, const std::string& remedy)
     : std::runtime_error(compose(file, problem, remedy)), code_(code) {}
 
+Error::~Error() = default;
+
 const char* to_string(Status status) noexcept {
   switch (status) {
     case Status::ok: return "ok";

@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "uhas/base/export.hpp"
+
 namespace uhas {
 
 /// Why set-up code (loading, building, reading, writing) refused its input. The numbers are part of the API.
@@ -23,12 +25,13 @@ enum class ErrorCode : int {
 };
 
 /// The one exception type of the library. `what()` reads `file: problem; remedy`, ready to follow `tool: error: `.
-class Error : public std::runtime_error {
+class UHAS_API Error : public std::runtime_error {
  public:
   /// @param file     file (and `:line`) the problem is in; may be empty
   /// @param problem  what is wrong, no trailing full stop
   /// @param remedy   what the user can do; may be empty
   Error(ErrorCode code, const std::string& file, const std::string& problem, const std::string& remedy);
+  ~Error() override;  // in one library alone: what another throws is of the type that a program catches
 
   ErrorCode code() const noexcept { return code_; }
 
@@ -49,6 +52,6 @@ enum class Status : int {
 };
 
 /// A short English sentence for `status`; never null.
-const char* to_string(Status status) noexcept;
+UHAS_API const char* to_string(Status status) noexcept;
 
 }  // namespace uhas

@@ -30,6 +30,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#ifdef __GNUC__
+#pragma GCC visibility push(default) /* the library's own build hides the rest */
+#endif
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -262,6 +265,9 @@ int uhas_retargeter_retarget_f(uhas_retargeter* retargeter, const float* q_from,
 
 #ifdef __cplusplus
 }
+#endif
+#ifdef __GNUC__
+#pragma GCC visibility pop
 #endif
 
 #endif

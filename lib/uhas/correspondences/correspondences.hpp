@@ -6,15 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "uhas/correspondences/correspondence_options.hpp"
 #include "uhas/sphere_frame/sphere_frame.hpp"
 
 namespace uhas {
-
-struct CorrespondenceOptions {
-  int samples = 20000;                ///< directions cast from the sphere's centre
-  double max_radius_deviation = 0.5;  ///< a hit further than this from the sphere, |rho - 1| in radii, is dropped
-  int points_per_link = 32;           ///< at most so many points of a link get a weight
-};
 
 /// What became of the rays that hit a link.
 struct LinkHits {

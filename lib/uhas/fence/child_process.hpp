@@ -2,21 +2,15 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "uhas/base/errors.hpp"
+#include "uhas/fence/child_limits.hpp"
 
 namespace uhas {
-
-struct ChildLimits {
-  std::uint64_t max_memory_bytes = std::uint64_t{4}
-                                   << 30;  ///< beyond what the calling process holds; of each result, too
-  std::uint64_t max_seconds = 60;          ///< for each result
-};
 
 /// Work in a copy of this process: whatever it does to memory is undone with the copy, and a crash, a hang or boundless
 /// memory there is an Error here. It is a fence against mishap, not a jail: the copy may still read files and talk to

@@ -6,13 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "uhas/lateral_tables/lateral_table_options.hpp"
 #include "uhas/wrap/wrap.hpp"
 
 namespace uhas {
-
-struct LateralTableOptions {
-  int steps = 201;  ///< samples of the sweep, at least 11
-};
 
 struct LateralTables {
   std::vector<LateralTable> tables;  ///< one a lateral joint, in the order of the tree

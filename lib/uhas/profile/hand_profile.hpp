@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "uhas/base/export.hpp"
 #include "uhas/base/kinematic_tree.hpp"
 
 namespace uhas {
@@ -145,6 +146,6 @@ struct HandProfile {
 
 /// Checks every index, shape, range and finiteness that the runtime relies on; no number may exceed 1e6 in magnitude.
 /// Throws Error(invalid_profile) naming `file` and the first field that is wrong, as the file format names it.
-void validate_profile(const HandProfile& profile, const std::string& file);
+UHAS_API void validate_profile(const HandProfile& profile, const std::string& file);
 
 }  // namespace uhas

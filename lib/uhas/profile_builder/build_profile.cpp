@@ -7,6 +7,7 @@
 #include "uhas/base/errors.hpp"
 #include "uhas/base/spherical.hpp"
 #include "uhas/classification/closed_pose_finding.hpp"
+#include "uhas/profile_builder/build_stages.hpp"
 #include "uhas/profile_builder/settings_json.hpp"
 
 namespace uhas {

@@ -1,13 +1,15 @@
-// The whole preprocessing, stage after stage. A tool for one stage runs the stages before it.
+// From a URDF to a hand profile: the whole preprocessing in one call.
 #pragma once
 
 #include <functional>
 #include <string>
-#include <vector>
 
-#include "uhas/classification/closed_pose.hpp"
-#include "uhas/correspondences/correspondences.hpp"
-#include "uhas/lateral_tables/lateral_tables.hpp"
+#include "uhas/anatomy/hand_config.hpp"
+#include "uhas/base/export.hpp"
+#include "uhas/correspondences/correspondence_options.hpp"
+#include "uhas/lateral_tables/lateral_table_options.hpp"
+#include "uhas/model/model_load_options.hpp"
+#include "uhas/sphere_frame/sphere_frame_options.hpp"
 
 namespace uhas {
 
@@ -19,45 +21,12 @@ struct BuildSettings {
   CorrespondenceOptions correspondences;
 };
 
-/// Everything the stages found. A field is filled when its stage has run.
-struct BuildStages {
-  HandModel model;
-  Anatomy anatomy;
-  SphereFrame sphere_frame;
-  std::vector<double> q_closed;
-  std::vector<JointClassification> joint_classes;
-  HandFinding closed_pose;  ///< how far `q_closed` can be trusted
-  LateralTables lateral_tables;
-  Correspondences correspondences;
-};
-
-enum class BuildStage : int { model, anatomy, sphere_frame, classification, lateral_tables, correspondences };
-
 /// Called when a stage begins, with its name in plain words ("reading meshes").
 using BuildListener = std::function<void(const char* stage)>;
 
-/// Runs every stage up to and including `last`.
-BuildStages run_stages(const std::string& urdf_path, const BuildSettings& settings, BuildStage last,
-                       const BuildListener& listener = {});
-
-/// The same on a model that has been read already.
-BuildStages run_stages(HandModel model, const BuildSettings& settings, BuildStage last,
-                       const BuildListener& listener = {});
-
-/// The warnings of every stage that has run, in the order of the stages.
-std::vector<std::string> stage_warnings(const BuildStages& stages);
-
-/// What was inferred or stated, an element an item of the hand config. Needs the stages up to BuildStage::classification.
-std::vector<HandFinding> stage_findings(const BuildStages& stages);
-
-/// Indices into `Anatomy::fingers`, ordered by the first slot a finger owns: the order of `HandProfile::fingers`.
-std::vector<int> fingers_by_slot(const SphereFrame& frame);
-
-/// All that the stages found as one profile.
-HandProfile make_profile(const BuildStages& stages, const BuildSettings& settings);
-
-/// `run_stages` to the end, then `make_profile`.
-HandProfile build_profile(const std::string& urdf_path, const BuildSettings& settings = {},
-                          const BuildListener& listener = {});
+/// The profile of the hand in the file `urdf_path`; what is doubtful of it is in `HandProfile::warnings`.
+/// Throws Error: file_unreadable, syntax, invalid_model, invalid_mesh, invalid_hand, invalid_config, limit_exceeded.
+UHAS_API HandProfile build_profile(const std::string& urdf_path, const BuildSettings& settings = {},
+                                   const BuildListener& listener = {});
 
 }  // namespace uhas

@@ -1,7 +1,7 @@
 // What was inferred, as the hand config that states all of it.
 #pragma once
 
-#include "uhas/profile_builder/build_profile.hpp"
+#include "uhas/profile_builder/build_stages.hpp"
 
 namespace uhas {
 

@@ -1,5 +1,6 @@
 #include "uhas/profile_io/read_profile.hpp"
 
+#include "uhas/fence/child_process.hpp"
 #include "uhas/files/file_bytes.hpp"
 #include "uhas/profile_io/flat_profile.hpp"
 #include "uhas/profile_io/image/profile_image.hpp"

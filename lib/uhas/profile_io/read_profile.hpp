@@ -4,7 +4,8 @@
 #include <string>
 
 #include "uhas/base/errors.hpp"
-#include "uhas/fence/child_process.hpp"
+#include "uhas/base/export.hpp"
+#include "uhas/fence/child_limits.hpp"
 #include "uhas/profile/hand_profile.hpp"
 
 namespace uhas {
@@ -18,12 +19,12 @@ namespace uhas {
 /// Throws Error: file_unreadable; limit_exceeded (over 256 MiB, in the file or unpacked); unsupported_version (another
 /// major version); invalid_profile (damaged, alien, inconsistent), which names the dataset where there is one. Safe to
 /// call from several threads; calls take turns.
-HandProfile read_profile(const std::string& path);
+UHAS_API HandProfile read_profile(const std::string& path);
 
-/// The same for a profile from a stranger: the file is read in a child process under `limits` (see `in_child`), which
-/// hands over the validated profile, flat, so that HDF5 sees no byte of the stranger's in this process.
+/// The same for a profile from a stranger: the file is read in a child process under `limits`, which hands over the
+/// validated profile, flat, so that HDF5 sees no byte of the stranger's in this process.
 /// Throws what `read_profile` throws: invalid_profile also when the child was brought down, limit_exceeded when it took
 /// too long or too much memory. Call it while no other thread reads or writes a profile.
-HandProfile read_untrusted_profile(const std::string& path, const ChildLimits& limits = {});
+UHAS_API HandProfile read_untrusted_profile(const std::string& path, const ChildLimits& limits = {});
 
 }  // namespace uhas

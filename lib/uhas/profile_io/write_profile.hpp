@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "uhas/base/export.hpp"
 #include "uhas/profile/hand_profile.hpp"
 
 namespace uhas {
@@ -14,6 +15,6 @@ namespace uhas {
 ///
 /// Throws Error: invalid_profile (see `validate_profile`), limit_exceeded (over 256 MiB), write_failed.
 /// Safe to call from several threads; calls take turns.
-void write_profile(const HandProfile& profile, const std::string& path);
+UHAS_API void write_profile(const HandProfile& profile, const std::string& path);
 
 }  // namespace uhas

@@ -23,6 +23,8 @@ std::string for_script(std::string_view json) {
 
 }  // namespace
 
+void require_html_report() {}  // it is here; html/left_out.cpp is what stands in for this file
+
 std::string html_report(const std::string& title, const std::vector<ReportHand>& hands) {
   constexpr std::string_view place = R"(<script type="application/json" id="uhas-report">)";
   const std::string_view page = embedded_page();

@@ -27,6 +27,9 @@ struct ReportHand {
   std::optional<ReportTimeline> timeline;
 };
 
+/// Throws Error(invalid_option) in a build without the page (UHAS_BUILD_REPORT), as `html_report` does there.
+void require_html_report();
+
 /// The page of these hands, side by side, moved by one set of inputs: the same bytes for the same input. With 40,000
 /// triangles and 6,000 points a hand at most, one hand takes 2 to 3 MB. Throws Error: invalid_profile for a profile
 /// that `validate_profile` refuses, invalid_action for actions that the solver refuses.

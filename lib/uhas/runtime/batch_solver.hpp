@@ -17,6 +17,7 @@
 #include <span>
 
 #include "uhas/base/errors.hpp"
+#include "uhas/base/export.hpp"
 #include "uhas/runtime/action.hpp"
 #include "uhas/runtime/cascade_solver.hpp"
 #include "uhas/runtime/instruction_set.hpp"
@@ -47,7 +48,7 @@ struct BatchOptions {
 /// own. Rows whose options have no lanes, those of the rule `contact` and of the field reading `field`, are solved one
 /// after the other by the code of CascadeSolver; threads still help.
 template <class Real>
-class BatchSolver {
+class UHAS_API BatchSolver {
  public:
   /// Throws Error: as CascadeSolver; invalid_action for no hand, for threads out of range and for an instruction set
   /// that is not available; std::system_error when a thread cannot be started.
@@ -76,7 +77,7 @@ class BatchSolver {
                std::size_t q_stride = 0) noexcept;
 
  private:
-  class Crew;
+  class UHAS_PRIVATE Crew;
   std::unique_ptr<Crew> crew_;
 };
 

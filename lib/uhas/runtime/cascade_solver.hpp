@@ -13,6 +13,7 @@
 #include <span>
 
 #include "uhas/base/errors.hpp"
+#include "uhas/base/export.hpp"
 #include "uhas/runtime/action.hpp"
 
 namespace uhas {
@@ -65,7 +66,7 @@ struct SolveReport {
 
 /// Solves one hand. Copies share the constant model and have scratch memory of their own: give each thread its copy.
 template <class Real>
-class CascadeSolver {
+class UHAS_API CascadeSolver {
  public:
   /// Throws Error: invalid_profile for a profile that `validate_profile` refuses, invalid_action for passes or numbers
   /// of the convention out of range.
@@ -86,7 +87,7 @@ class CascadeSolver {
   Status solve(const Action<Real>& action, std::span<Real> q, SolveReport& report) noexcept;
 
  private:
-  struct Scratch;
+  struct UHAS_PRIVATE Scratch;
   std::shared_ptr<const SolverModel<Real>> model_;
   std::unique_ptr<Scratch> scratch_;
 };

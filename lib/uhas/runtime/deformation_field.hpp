@@ -6,13 +6,14 @@
 #include <span>
 
 #include "uhas/base/errors.hpp"
+#include "uhas/base/export.hpp"
 #include "uhas/base/spherical.hpp"
 #include "uhas/runtime/action.hpp"
 
 namespace uhas {
 
 /// The field of one hand. It has scratch memory of its own: give each thread its object.
-class DeformationField {
+class UHAS_API DeformationField {
  public:
   /// Throws Error: invalid_profile for a profile that `validate_profile` refuses, invalid_action for numbers of the
   /// convention out of range.
@@ -28,7 +29,7 @@ class DeformationField {
   Status deform(const Action<double>& action, std::span<Spherical<double>> points) noexcept;
 
  private:
-  struct State;
+  struct UHAS_PRIVATE State;
   std::unique_ptr<State> state_;
 };
 

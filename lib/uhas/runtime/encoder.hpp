@@ -18,6 +18,7 @@
 #include <memory>
 #include <span>
 
+#include "uhas/base/export.hpp"
 #include "uhas/runtime/cascade_solver.hpp"
 
 namespace uhas {
@@ -31,7 +32,7 @@ struct EncodeReport {
 /// Encodes the postures of one hand. Copies share the constant model and have scratch memory of their own: give each
 /// thread its copy.
 template <class Real>
-class Encoder {
+class UHAS_API Encoder {
  public:
   /// @param options          of the solver whose inverse this is
   /// @param driving_vectors  V, 1 to 4, at their default angles pi j / (V + 1)
@@ -63,8 +64,8 @@ class Encoder {
   Status check(std::span<const Real> q) const noexcept;
 
  private:
-  struct Model;
-  struct Scratch;
+  struct UHAS_PRIVATE Model;
+  struct UHAS_PRIVATE Scratch;
   std::shared_ptr<const Model> model_;
   std::unique_ptr<Scratch> scratch_;
 };

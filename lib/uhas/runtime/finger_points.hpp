@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "uhas/base/export.hpp"
 #include "uhas/profile/hand_profile.hpp"
 
 namespace uhas {
@@ -21,6 +22,6 @@ struct FingerPoint {
 /// nearest to it in that pose, among the finger's own; on a finger without correspondences, by the joint that begins
 /// its piece of the polyline.
 /// @param profile  one that `validate_profile` accepts, @param finger  index into `profile.fingers`
-std::array<FingerPoint, kFingerPoints> finger_points(const HandProfile& profile, int finger);
+UHAS_API std::array<FingerPoint, kFingerPoints> finger_points(const HandProfile& profile, int finger);
 
 }  // namespace uhas

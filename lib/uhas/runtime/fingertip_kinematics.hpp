@@ -12,6 +12,7 @@
 #include <span>
 
 #include "uhas/base/errors.hpp"
+#include "uhas/base/export.hpp"
 #include "uhas/profile/hand_profile.hpp"
 #include "uhas/runtime/instruction_set.hpp"
 
@@ -19,7 +20,7 @@ namespace uhas {
 
 /// Forward kinematics of one hand's fingertips. Copies share the constant model.
 template <class Real>
-class FingertipKinematics {
+class UHAS_API FingertipKinematics {
  public:
   /// Throws Error(invalid_profile) for a profile that `validate_profile` refuses.
   /// @param set  what batches use; when it is not available, the widest that is
@@ -39,7 +40,7 @@ class FingertipKinematics {
   Status fingertips_batch(std::span<const Real> q, std::span<Real> fingertips) const noexcept;
 
  private:
-  struct Model;
+  struct UHAS_PRIVATE Model;
   std::shared_ptr<const Model> model_;
 };
 

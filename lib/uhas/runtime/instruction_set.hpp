@@ -2,6 +2,8 @@
 // the library itself is compiled for the oldest processor of its kind.
 #pragma once
 
+#include "uhas/base/export.hpp"
+
 namespace uhas {
 
 enum class InstructionSet : int {
@@ -11,14 +13,14 @@ enum class InstructionSet : int {
 };
 
 /// Whether this library was built with `set` and this processor has it.
-bool is_available(InstructionSet set) noexcept;
+UHAS_API bool is_available(InstructionSet set) noexcept;
 
 /// The widest one available, but none wider than the environment variable UHAS_INSTRUCTION_SET names:
 /// `scalar`, `baseline` or `avx2`. Any other value counts as unset. Reads the environment: for set-up code,
 /// not for the real-time path.
-InstructionSet widest_instruction_set() noexcept;
+UHAS_API InstructionSet widest_instruction_set() noexcept;
 
 /// The name above; never null.
-const char* to_string(InstructionSet set) noexcept;
+UHAS_API const char* to_string(InstructionSet set) noexcept;
 
 }  // namespace uhas

@@ -4,16 +4,17 @@
 
 #include <vector>
 
+#include "uhas/base/export.hpp"
 #include "uhas/profile/hand_profile.hpp"
 
 namespace uhas {
 
 /// Indices into the profile's joints, increasing; a mimic follower stands beside its master. Every joint is in one
 /// of the two.
-std::vector<int> lateral_joints(const HandProfile& profile);
-std::vector<int> encompassing_joints(const HandProfile& profile);
+UHAS_API std::vector<int> lateral_joints(const HandProfile& profile);
+UHAS_API std::vector<int> encompassing_joints(const HandProfile& profile);
 
 /// q_sphere: the hand wrapped on the undeformed sphere. [joints] rad, m for prismatic joints, mimic followers included.
-std::vector<double> reference_posture(const HandProfile& profile);
+UHAS_API std::vector<double> reference_posture(const HandProfile& profile);
 
 }  // namespace uhas

@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "uhas/base/errors.hpp"
+#include "uhas/base/export.hpp"
 #include "uhas/base/rigid_transform.hpp"
 #include "uhas/runtime/finger_points.hpp"
 #include "uhas/runtime/instruction_set.hpp"
@@ -46,7 +47,7 @@ struct ObservedBody {
 
 /// Observes one hand. Copies share the constant model and have scratch memory of their own: give each thread its copy.
 template <class Real>
-class Observer {
+class UHAS_API Observer {
  public:
   /// Throws Error(invalid_profile) for a profile that `validate_profile` refuses.
   /// @param set  what batches use; when it is not available, the widest that is
@@ -69,9 +70,9 @@ class Observer {
   Status observe_batch(std::span<const Real> q, std::span<const Real> qd, std::span<Real> observations) noexcept;
 
  private:
-  struct Model;
+  struct UHAS_PRIVATE Model;
 
-  Status observe_each(const Real* q, const Real* qd, std::size_t count, Real* observations) noexcept;
+  UHAS_PRIVATE Status observe_each(const Real* q, const Real* qd, std::size_t count, Real* observations) noexcept;
 
   std::shared_ptr<const Model> model_;
   std::vector<ObservedBody<Real>> bodies_;  // [joint] scratch

@@ -23,6 +23,7 @@
 #include <span>
 #include <vector>
 
+#include "uhas/base/export.hpp"
 #include "uhas/runtime/cascade_solver.hpp"
 
 namespace uhas {
@@ -38,7 +39,7 @@ struct SphereControllerOptions {
 /// Controls hands of one kind. Copies share the constant model and have scratch memory of their own: give each
 /// thread its copy.
 template <class Real>
-class SphereController {
+class UHAS_API SphereController {
  public:
   /// Throws Error: as CascadeSolver; invalid_option for an option out of its range.
   explicit SphereController(const HandProfile& profile, const SphereControllerOptions& options = {});
@@ -77,8 +78,8 @@ class SphereController {
   };
   using Motions = std::vector<Motion>;
 
-  void step(std::span<const Real> solution, Real dt, std::span<Real> targets) const noexcept;
-  void follow(std::span<Real> targets) const noexcept;
+  UHAS_PRIVATE void step(std::span<const Real> solution, Real dt, std::span<Real> targets) const noexcept;
+  UHAS_PRIVATE void follow(std::span<Real> targets) const noexcept;
 
   CascadeSolver<Real> solver_;
   std::shared_ptr<const Motions> motions_;  // [joint]

@@ -7,14 +7,9 @@
 #include <vector>
 
 #include "uhas/anatomy/anatomy.hpp"
+#include "uhas/sphere_frame/sphere_frame_options.hpp"
 
 namespace uhas {
-
-struct SphereFrameOptions {
-  double radius_scale = 1;  ///< r = radius_scale * 2 l / pi
-  /// A five-finger hand averages slots 0 and 1 for ring and pinky (the paper's 4-plane variant).
-  bool merge_pinky = false;
-};
 
 struct SphereFrame {
   RigidTransformd T_palm_sphere;  ///< S in P; lengths stay metres

@@ -2,6 +2,7 @@
 #include <iostream>
 #include <vector>
 
+#include "uhas/base/errors.hpp"
 #include "uhas/profile_builder/build_profile.hpp"
 #include "uhas/runtime/cascade_solver.hpp"
 
@@ -12,4 +13,11 @@ int main(int, char** argv) {
   const std::vector<double> action(15, 0.0);
   if (solver.solve({.values = action}, q) != uhas::Status::ok) return 1;
   std::cout << q.size() << " joints\n";
+
+  try {
+    uhas::build_profile("no_such_hand.urdf");
+  } catch (const uhas::Error& error) {  // what one library throws is the type of the other
+    return error.code() == uhas::ErrorCode::file_unreadable ? 0 : 1;
+  }
+  return 1;
 }

@@ -13,7 +13,7 @@
 #include "support/sliding_boxes.hpp"
 #include "support/toy_hand.hpp"
 #include "uhas/kinematics/forward_kinematics.hpp"
-#include "uhas/profile_builder/build_profile.hpp"
+#include "uhas/profile_builder/build_stages.hpp"
 
 using namespace uhas;
 using namespace uhas::test;

@@ -1,6 +1,6 @@
-#include "uhas/profile_builder/build_profile.hpp"
-
 #include <doctest/doctest.h>
+
+#include "uhas/profile_builder/build_stages.hpp"
 
 using namespace uhas;
 

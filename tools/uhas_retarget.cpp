@@ -6,9 +6,9 @@
 #include "command_line/tool.hpp"
 #include "input/joint_order.hpp"
 #include "input/profile_input.hpp"
-#include "json/json_lines.hpp"
+#include "uhas/json/json_lines.hpp"
 #include "tables/table.hpp"
-#include "trajectory/trajectory_json.hpp"
+#include "uhas/trajectory/trajectory_json.hpp"
 #include "uhas/runtime/retarget.hpp"
 
 using namespace uhas;

@@ -6,7 +6,7 @@
 #include "command_line/tool.hpp"
 #include "input/actions.hpp"
 #include "input/profile_input.hpp"
-#include "json/json_lines.hpp"
+#include "uhas/json/json_lines.hpp"
 #include "output/output.hpp"
 #include "output/report_page.hpp"
 #include "output/solution.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "json/json_text.hpp"
+#include "uhas/json/json_text.hpp"
 
 namespace uhas::benchmark {
 

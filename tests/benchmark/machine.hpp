@@ -4,7 +4,7 @@
 #include <iosfwd>
 #include <string>
 
-#include "json/json_text.hpp"
+#include "uhas/json/json_text.hpp"
 
 namespace uhas::benchmark {
 

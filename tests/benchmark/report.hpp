@@ -4,7 +4,7 @@
 #include <iosfwd>
 #include <vector>
 
-#include "json/json_text.hpp"
+#include "uhas/json/json_text.hpp"
 #include "machine.hpp"
 #include "requirements.hpp"
 #include "runtime_measurement.hpp"

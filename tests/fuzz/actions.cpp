@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "fuzz_file.hpp"
-#include "json/json_lines.hpp"
+#include "uhas/json/json_lines.hpp"
 #include "support/small_profile.hpp"
 
 using namespace uhas;

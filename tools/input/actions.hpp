@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "json/json_text.hpp"
+#include "uhas/json/json_text.hpp"
 #include "uhas/runtime/cascade_solver.hpp"
 
 namespace uhas::tools {

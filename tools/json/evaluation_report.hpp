@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "json/json_text.hpp"
+#include "uhas/json/json_text.hpp"
 #include "uhas/evaluation/evaluation.hpp"
 
 namespace uhas::tools {

@@ -3,7 +3,7 @@
 
 #include <iosfwd>
 
-#include "json/json_text.hpp"
+#include "uhas/json/json_text.hpp"
 #include "uhas/profile/hand_profile.hpp"
 
 namespace uhas::tools {

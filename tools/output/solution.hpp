@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "input/model_input.hpp"
-#include "json/json_text.hpp"
+#include "uhas/json/json_text.hpp"
 #include "uhas/collision/collision_free_solver.hpp"
 
 namespace uhas::tools {

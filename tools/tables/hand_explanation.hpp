@@ -5,7 +5,7 @@
 #include <string>
 
 #include "command_line/tool.hpp"
-#include "json/json_text.hpp"
+#include "uhas/json/json_text.hpp"
 #include "uhas/profile_builder/build_profile.hpp"
 
 namespace uhas::tools {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "json/json_text.hpp"
+#include "uhas/json/json_text.hpp"
 #include "uhas/model/hand_model.hpp"
 
 namespace uhas::tools {

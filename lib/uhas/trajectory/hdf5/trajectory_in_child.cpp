@@ -1,11 +1,11 @@
-#include "trajectory/trajectory_in_child.hpp"
+#include "uhas/trajectory/hdf5/trajectory_in_child.hpp"
 
 #include <cstring>
 
-#include "trajectory/trajectory_hdf5.hpp"
-#include "trajectory/trajectory_json.hpp"
+#include "uhas/trajectory/hdf5/trajectory_hdf5.hpp"
+#include "uhas/trajectory/trajectory_json.hpp"
 
-namespace uhas::tools {
+namespace uhas {
 namespace {
 
 constexpr std::size_t kBlockValues = 1u << 14;
@@ -85,4 +85,4 @@ std::unique_ptr<TrajectoryReader> open_hdf5_trajectory_in_child(const std::strin
   return std::make_unique<ChildReader>(std::move(*header), std::move(child), path);
 }
 
-}  // namespace uhas::tools
+}  // namespace uhas

@@ -1,4 +1,4 @@
-#include "trajectory/trajectory.hpp"
+#include "uhas/trajectory/trajectory.hpp"
 
 #include <unistd.h>
 
@@ -8,12 +8,12 @@
 #include <system_error>
 
 #include "command_line/tool.hpp"
-#include "trajectory/trajectory_hdf5.hpp"
-#include "trajectory/trajectory_in_child.hpp"
-#include "trajectory/trajectory_json.hpp"
+#include "uhas/trajectory/hdf5/trajectory_hdf5.hpp"
+#include "uhas/trajectory/hdf5/trajectory_in_child.hpp"
+#include "uhas/trajectory/trajectory_json.hpp"
 #include "uhas/base/errors.hpp"
 
-namespace uhas::tools {
+namespace uhas {
 
 TrajectoryKind trajectory_kind(const std::string& path) {
   const std::string extension = std::filesystem::path(path).extension();
@@ -60,4 +60,4 @@ std::unique_ptr<TrajectoryWriter> create_trajectory(TrajectoryKind kind, const s
   return create_hdf5_trajectory(path, header);
 }
 
-}  // namespace uhas::tools
+}  // namespace uhas

@@ -5,9 +5,9 @@
 #include <iosfwd>
 #include <string>
 
-#include "json/json_text.hpp"
+#include "uhas/json/json_text.hpp"
 
-namespace uhas::tools {
+namespace uhas {
 
 inline constexpr std::size_t kMaxLineBytes = 1u << 20;
 
@@ -20,4 +20,4 @@ bool read_line(std::istream& in, std::string& line);
 std::size_t answer_json_lines(std::istream& in, std::ostream& out,
                               const std::function<Json(const std::string& line)>& answer);
 
-}  // namespace uhas::tools
+}  // namespace uhas

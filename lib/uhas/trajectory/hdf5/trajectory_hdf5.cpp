@@ -1,4 +1,4 @@
-#include "trajectory/trajectory_hdf5.hpp"
+#include "uhas/trajectory/hdf5/trajectory_hdf5.hpp"
 
 #include <hdf5.h>
 
@@ -11,7 +11,7 @@
 #include "uhas/files/file_replacement.hpp"
 #include "uhas/hdf5/bounds.hpp"
 
-namespace uhas::tools {
+namespace uhas {
 namespace {
 
 constexpr const char* kFormat = "uhas-trajectory";
@@ -300,4 +300,4 @@ std::unique_ptr<TrajectoryWriter> create_hdf5_trajectory(const std::string& path
   return std::make_unique<Hdf5Writer>(path, header);
 }
 
-}  // namespace uhas::tools
+}  // namespace uhas

@@ -1,11 +1,11 @@
-#include "json/json_lines.hpp"
+#include "uhas/json/json_lines.hpp"
 
 #include <istream>
 #include <ostream>
 
 #include "uhas/base/errors.hpp"
 
-namespace uhas::tools {
+namespace uhas {
 bool read_line(std::istream& in, std::string& line) {
   line.clear();
   std::streambuf& buffer = *in.rdbuf();
@@ -36,4 +36,4 @@ std::size_t answer_json_lines(std::istream& in, std::ostream& out,
   return failed;
 }
 
-}  // namespace uhas::tools
+}  // namespace uhas

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "json/json_text.hpp"
+#include "uhas/json/json_text.hpp"
 #include "uhas/fence/child_process.hpp"
 #include "uhas/runtime/encoder.hpp"
 
-namespace uhas::tools {
+namespace uhas {
 
 /// How a trajectory lies in a file.
 enum class TrajectoryKind { json, json_lines, hdf5 };
@@ -81,4 +81,4 @@ class TrajectoryWriter {
 std::unique_ptr<TrajectoryWriter> create_trajectory(TrajectoryKind kind, const std::string& path,
                                                     const TrajectoryHeader& header);
 
-}  // namespace uhas::tools
+}  // namespace uhas

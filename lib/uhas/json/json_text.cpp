@@ -1,15 +1,15 @@
-#include "json/json_text.hpp"
+#include "uhas/json/json_text.hpp"
 
 #include <algorithm>
 
 #include "uhas/base/errors.hpp"
 #include "uhas/files/file_bytes.hpp"
 
-namespace uhas::tools {
+namespace uhas {
 namespace {
 
 constexpr std::size_t kLineWidth = 110;
-constexpr int kMaxDepth = 16;
+constexpr int kMaxDepth = 8;
 
 std::string dump(const Json& value) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
@@ -77,6 +77,10 @@ std::string to_text(const Json& document) {
 
 std::string to_line(const Json& document) { return dump(document) + "\n"; }
 
+std::string to_canonical_text(const Json& document) {
+  return nlohmann::json(document).dump();  // which keeps keys sorted
+}
+
 Json parse_json(std::string_view text, const std::string& file) {
   const auto bound_depth = [&](int depth, Json::parse_event_t, Json&) {
     if (depth > kMaxDepth)
@@ -96,9 +100,9 @@ Json parse_json(std::string_view text, const std::string& file) {
   }
 }
 
-Json read_json_file(const std::string& path, std::uint64_t max_bytes) {
-  const std::vector<std::byte> bytes = read_file(path, max_bytes, "split it, or raise the bound by --max-json-bytes");
+Json read_json_file(const std::string& path, std::uint64_t max_bytes, const std::string& remedy) {
+  const std::vector<std::byte> bytes = read_file(path, max_bytes, remedy);
   return parse_json({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path);
 }
 
-}  // namespace uhas::tools
+}  // namespace uhas

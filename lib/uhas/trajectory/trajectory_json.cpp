@@ -1,16 +1,16 @@
-#include "trajectory/trajectory_json.hpp"
+#include "uhas/trajectory/trajectory_json.hpp"
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 
-#include "json/json_lines.hpp"
+#include "uhas/json/json_lines.hpp"
 #include "output/output.hpp"
 #include "uhas/base/errors.hpp"
 #include "uhas/files/file_replacement.hpp"
 
-namespace uhas::tools {
+namespace uhas {
 namespace {
 
 constexpr const char* kFormat = "uhas-trajectory";
@@ -226,4 +226,4 @@ Json to_json(const TrajectorySummary& summary) {
           {"worst_frame", summary.frames == 0 ? Json() : Json(summary.worst_frame)}};
 }
 
-}  // namespace uhas::tools
+}  // namespace uhas

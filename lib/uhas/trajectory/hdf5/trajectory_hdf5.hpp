@@ -4,11 +4,11 @@
 // Files are read by the HDF5 library as they are: a damaged or crafted one can crash it. See trajectory_in_child.hpp.
 #pragma once
 
-#include "trajectory/trajectory.hpp"
+#include "uhas/trajectory/trajectory.hpp"
 
-namespace uhas::tools {
+namespace uhas {
 
 std::unique_ptr<TrajectoryReader> open_hdf5_trajectory(const std::string& path, std::uint64_t max_bytes);
 std::unique_ptr<TrajectoryWriter> create_hdf5_trajectory(const std::string& path, const TrajectoryHeader& header);
 
-}  // namespace uhas::tools
+}  // namespace uhas

@@ -1,9 +1,9 @@
 // HDF5 trajectories as the tools read them: a damaged or crafted one may bring the HDF5 library down.
 #pragma once
 
-#include "trajectory/trajectory.hpp"
+#include "uhas/trajectory/trajectory.hpp"
 
-namespace uhas::tools {
+namespace uhas {
 
 /// As `open_hdf5_trajectory`, but a child process reads the file and hands over blocks of plain frames, in constant
 /// memory. The reader throws what `open_hdf5_trajectory` and its reader throw, and Error: syntax when the child was
@@ -11,4 +11,4 @@ namespace uhas::tools {
 std::unique_ptr<TrajectoryReader> open_hdf5_trajectory_in_child(const std::string& path, std::uint64_t max_bytes,
                                                                 const ChildLimits& limits);
 
-}  // namespace uhas::tools
+}  // namespace uhas

@@ -3,10 +3,10 @@
 
 #include <optional>
 
-#include "json/json_text.hpp"
-#include "trajectory/trajectory.hpp"
+#include "uhas/json/json_text.hpp"
+#include "uhas/trajectory/trajectory.hpp"
 
-namespace uhas::tools {
+namespace uhas {
 
 std::unique_ptr<TrajectoryReader> open_json_trajectory(const std::string& path, std::uint64_t max_bytes);
 std::unique_ptr<TrajectoryReader> open_json_lines_trajectory(const std::string& path);
@@ -30,4 +30,4 @@ Json to_json(std::span<const double> q, const EncodeReport& report);
 /// {"frames": ..., "off_manifold": ..., ...}
 Json to_json(const TrajectorySummary& summary);
 
-}  // namespace uhas::tools
+}  // namespace uhas

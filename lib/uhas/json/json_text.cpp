@@ -1,6 +1,8 @@
 #include "uhas/json/json_text.hpp"
 
 #include <algorithm>
+#include <array>
+#include <functional>
 
 #include "uhas/base/errors.hpp"
 #include "uhas/files/file_bytes.hpp"
@@ -10,6 +12,7 @@ namespace {
 
 constexpr std::size_t kLineWidth = 110;
 constexpr int kMaxDepth = 8;
+constexpr int kMaxKeys = 10'000;  // of an object
 
 std::string dump(const Json& value) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
@@ -51,6 +54,29 @@ void append(const Json& value, std::size_t indent, bool split, std::string& out)
   out += "\n" + std::string(indent, ' ') + (value.is_object() ? "}" : "]");
 }
 
+/// Looks on as a document is parsed. Throws Error(syntax) for too many levels, and for too many keys: a document that
+/// keeps their order compares each new key of an object with all before it.
+class Bounds {
+ public:
+  explicit Bounds(const std::string& file) : file_(file) {}
+
+  bool operator()(int depth, Json::parse_event_t event, const Json&) {
+    if (depth > kMaxDepth) refuse("nested more than " + std::to_string(kMaxDepth) + " levels deep", "use fewer levels");
+    if (event == Json::parse_event_t::object_start) keys_[depth + 1] = 0;
+    if (event == Json::parse_event_t::key && ++keys_[depth] > kMaxKeys)
+      refuse("an object has more than " + std::to_string(kMaxKeys) + " keys", "use fewer keys");
+    return true;
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& problem, const std::string& remedy) const {
+    throw Error(ErrorCode::syntax, file_, problem, remedy);
+  }
+
+  const std::string& file_;
+  std::array<int, kMaxDepth + 2> keys_{};  // of the object that is open at each depth
+};
+
 /// The part of nlohmann's message that says what is wrong, without the exception's name and the place.
 std::string problem_of(const nlohmann::json::exception& error) {
   const std::string text = error.what();
@@ -82,14 +108,9 @@ std::string to_canonical_text(const Json& document) {
 }
 
 Json parse_json(std::string_view text, const std::string& file) {
-  const auto bound_depth = [&](int depth, Json::parse_event_t, Json&) {
-    if (depth > kMaxDepth)
-      throw Error(ErrorCode::syntax, file, "nested more than " + std::to_string(kMaxDepth) + " levels deep",
-                  "use fewer levels");
-    return true;
-  };
+  Bounds bounds(file);
   try {
-    return Json::parse(text, bound_depth);
+    return Json::parse(text, std::ref(bounds));
   } catch (const nlohmann::json::parse_error& error) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
     const auto line = 1 + std::count(text.begin(), end, '\n');

@@ -31,7 +31,8 @@ std::string to_line(const Json& document);
 /// came in. Text must be UTF-8: throws nlohmann::json::type_error.
 std::string to_canonical_text(const Json& document);
 
-/// Parses `text`. Throws Error(syntax) naming `file` and the line, also for more than 8 levels of nesting.
+/// Parses `text`. Throws Error(syntax) naming `file` and the line; also for more than 8 levels of nesting, and for an
+/// object of more than 10,000 keys.
 Json parse_json(std::string_view text, const std::string& file);
 
 /// Reads and parses a file of at most `max_bytes`. Throws Error: file_unreadable; limit_exceeded, with `remedy`; syntax.

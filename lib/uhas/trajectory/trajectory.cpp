@@ -7,20 +7,20 @@
 #include <filesystem>
 #include <system_error>
 
-#include "command_line/tool.hpp"
-#include "uhas/trajectory/hdf5/trajectory_hdf5.hpp"
-#include "uhas/trajectory/hdf5/trajectory_in_child.hpp"
-#include "uhas/trajectory/trajectory_json.hpp"
 #include "uhas/base/errors.hpp"
+#include "uhas/trajectory/formats/hdf5_in_child.hpp"
+#include "uhas/trajectory/formats/hdf5_writer.hpp"
+#include "uhas/trajectory/formats/json_reader.hpp"
+#include "uhas/trajectory/formats/json_writer.hpp"
 
 namespace uhas {
 
-TrajectoryKind trajectory_kind(const std::string& path) {
+std::optional<TrajectoryKind> trajectory_kind(const std::string& path) {
   const std::string extension = std::filesystem::path(path).extension();
   if (extension == ".json") return TrajectoryKind::json;
   if (extension == ".jsonl") return TrajectoryKind::json_lines;
   if (extension == ".h5" || extension == ".hdf5") return TrajectoryKind::hdf5;
-  throw Tool::wrong_usage(path, "the name of a trajectory ends in .json, .jsonl, .h5 or .hdf5");
+  return std::nullopt;
 }
 
 void TrajectorySummary::add(const EncodeReport& report) {
@@ -34,9 +34,8 @@ double TrajectorySummary::residual_rms() const {
   return frames == 0 ? 0 : std::sqrt(sum_of_squares / static_cast<double>(frames));
 }
 
-std::unique_ptr<TrajectoryReader> open_trajectory(const std::string& path, const TrajectoryLimits& limits,
-                                                  const ChildLimits& child_limits) {
-  const TrajectoryKind kind = trajectory_kind(path);
+std::unique_ptr<TrajectoryReader> open_trajectory(TrajectoryKind kind, const std::string& path,
+                                                  const TrajectoryLimits& limits) {
   if (std::error_code ignored; !std::filesystem::exists(path, ignored))
     throw Error(ErrorCode::file_unreadable, path, "the file does not exist", "check the path");
   if (::access(path.c_str(), R_OK) != 0)
@@ -47,17 +46,23 @@ std::unique_ptr<TrajectoryReader> open_trajectory(const std::string& path, const
     case TrajectoryKind::json_lines: return open_json_lines_trajectory(path);
     case TrajectoryKind::hdf5: break;
   }
-  return open_hdf5_trajectory_in_child(path, limits.max_hdf5_bytes, child_limits);
+  return open_hdf5_trajectory_in_child(path, limits.max_hdf5_bytes, limits.in_child);
 }
 
 std::unique_ptr<TrajectoryWriter> create_trajectory(TrajectoryKind kind, const std::string& path,
                                                     const TrajectoryHeader& header) {
   switch (kind) {
-    case TrajectoryKind::json: return create_json_trajectory(path, header);
-    case TrajectoryKind::json_lines: return create_json_lines_trajectory(path, header);
+    case TrajectoryKind::json: return write_json_trajectory(TextTarget(path), header);
+    case TrajectoryKind::json_lines: return write_json_lines_trajectory(TextTarget(path), header);
     case TrajectoryKind::hdf5: break;
   }
   return create_hdf5_trajectory(path, header);
+}
+
+std::unique_ptr<TrajectoryWriter> stream_trajectory(TrajectoryKind kind, std::ostream& out,
+                                                    const TrajectoryHeader& header) {
+  if (kind == TrajectoryKind::json) return write_json_trajectory(TextTarget(out), header);
+  return write_json_lines_trajectory(TextTarget(out), header);
 }
 
 }  // namespace uhas

@@ -1,12 +1,14 @@
 // Trajectories (schemas/trajectory.schema.json): frames of joint values, read and written one at a time.
 #pragma once
 
+#include <cstdint>
+#include <iosfwd>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "uhas/json/json_text.hpp"
 #include "uhas/fence/child_process.hpp"
 #include "uhas/runtime/encoder.hpp"
 
@@ -15,8 +17,8 @@ namespace uhas {
 /// How a trajectory lies in a file.
 enum class TrajectoryKind { json, json_lines, hdf5 };
 
-/// By the end of its name: .json, .jsonl, .h5 or .hdf5. Throws CLI::ParseError for any other.
-TrajectoryKind trajectory_kind(const std::string& path);
+/// By the end of its name: .json, .jsonl, .h5 or .hdf5; nothing for any other.
+std::optional<TrajectoryKind> trajectory_kind(const std::string& path);
 
 /// What holds for every frame.
 struct TrajectoryHeader {
@@ -60,14 +62,14 @@ class TrajectoryReader {
 
 /// What a file may have at most; JSON Lines may be of any length.
 struct TrajectoryLimits {
-  std::uint64_t max_json_bytes = kMaxJsonBytes;
+  std::uint64_t max_json_bytes = 64u << 20;
   std::uint64_t max_hdf5_bytes = std::uint64_t{4} << 30;  ///< of all values together, unpacked
+  ChildLimits in_child;                                   ///< of the process that reads HDF5
 };
 
-/// @param child_limits  of the process that reads HDF5
 /// Throws Error: file_unreadable, limit_exceeded, syntax, unsupported_version.
-std::unique_ptr<TrajectoryReader> open_trajectory(const std::string& path, const TrajectoryLimits& limits,
-                                                  const ChildLimits& child_limits);
+std::unique_ptr<TrajectoryReader> open_trajectory(TrajectoryKind kind, const std::string& path,
+                                                  const TrajectoryLimits& limits = {});
 
 /// A trajectory being written. A file appears whole, by `finish`, or not at all.
 class TrajectoryWriter {
@@ -77,8 +79,12 @@ class TrajectoryWriter {
   virtual void finish(const TrajectorySummary& summary) = 0;                      ///< throws Error(write_failed)
 };
 
-/// `path` empty: standard output, for JSON and JSON Lines. Throws Error(write_failed).
+/// Throws Error(write_failed).
 std::unique_ptr<TrajectoryWriter> create_trajectory(TrajectoryKind kind, const std::string& path,
+                                                    const TrajectoryHeader& header);
+
+/// The same to a stream, which must outlive the writer: as JSON or JSON Lines.
+std::unique_ptr<TrajectoryWriter> stream_trajectory(TrajectoryKind kind, std::ostream& out,
                                                     const TrajectoryHeader& header);
 
 }  // namespace uhas

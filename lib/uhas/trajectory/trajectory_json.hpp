@@ -1,4 +1,4 @@
-// Trajectories as JSON and JSON Lines, and the lines that the latter is made of.
+// What trajectories in JSON and JSON Lines are made of: a header, frames, a summary.
 #pragma once
 
 #include <optional>
@@ -8,10 +8,7 @@
 
 namespace uhas {
 
-std::unique_ptr<TrajectoryReader> open_json_trajectory(const std::string& path, std::uint64_t max_bytes);
-std::unique_ptr<TrajectoryReader> open_json_lines_trajectory(const std::string& path);
-std::unique_ptr<TrajectoryWriter> create_json_trajectory(const std::string& path, const TrajectoryHeader& header);
-std::unique_ptr<TrajectoryWriter> create_json_lines_trajectory(const std::string& path, const TrajectoryHeader& header);
+inline constexpr const char* kTrajectoryFormat = "uhas-trajectory";
 
 /// {"format": "uhas-trajectory", "version": 1, "hand": ..., "joint_names": [...]}: a document without its frames, or
 /// the first of its lines.

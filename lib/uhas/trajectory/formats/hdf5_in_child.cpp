@@ -1,8 +1,11 @@
-#include "uhas/trajectory/hdf5/trajectory_in_child.hpp"
+#include "uhas/trajectory/formats/hdf5_in_child.hpp"
 
 #include <cstring>
+#include <optional>
+#include <span>
 
-#include "uhas/trajectory/hdf5/trajectory_hdf5.hpp"
+#include "uhas/base/errors.hpp"
+#include "uhas/trajectory/formats/hdf5_reader.hpp"
 #include "uhas/trajectory/trajectory_json.hpp"
 
 namespace uhas {

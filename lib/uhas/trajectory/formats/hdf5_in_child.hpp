@@ -1,4 +1,4 @@
-// HDF5 trajectories as the tools read them: a damaged or crafted one may bring the HDF5 library down.
+// HDF5 trajectories read in a process of their own: a damaged or crafted one may bring the HDF5 library down.
 #pragma once
 
 #include "uhas/trajectory/trajectory.hpp"

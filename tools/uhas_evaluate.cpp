@@ -58,7 +58,7 @@ ExitCode run(Tool& tool) {
   options.evaluation.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   add_options(tool.options(), options);
   tool.parse();
-  options.model.load.in_child = tool.child_limits();
+  tool.limits().apply_to(options.model.load);
   if (tool.json() && options.markdown) throw Tool::wrong_usage("--markdown", "cannot be printed as JSON too");
 
   std::vector<ProfileFile> files;

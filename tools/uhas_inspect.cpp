@@ -87,7 +87,7 @@ ExitCode run(Tool& tool) {
   Options options;
   add_options(tool.options(), options);
   tool.parse();
-  options.model.load.in_child = tool.child_limits();
+  tool.limits().apply_to(options.model.load);
   check_usage(options);
 
   std::vector<ProfileFile> files;

@@ -30,7 +30,7 @@ Machine this_machine() {
           0};
 }
 
-tools::Json to_json(const Machine& machine) {
+Json to_json(const Machine& machine) {
   return {{"processor", machine.processor},
           {"processors", machine.processors},
           {"instruction_set", machine.instruction_set},

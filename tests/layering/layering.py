@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Checks that includes follow the arrows between the rooms of lib/uhas.
+"""Checks that includes follow the arrows between the rooms of lib/uhas, and that no text in lib names an option of the tools:
+errors name fields of the library, which the tools translate.
 
     layering.py SOURCE_FOLDER      exit 1 when a file in lib, tools or tests includes what its place must not
-    layering.py --self-test        exit 1 when one of the forbidden includes planted here goes unnoticed
+    layering.py --self-test        exit 1 when one of the forbidden includes and texts planted here goes unnoticed
 """
 
 import pathlib
@@ -60,6 +61,8 @@ PUBLIC_HEADERS = "lib/public_headers.txt"
 
 SYSTEM = re.compile(r"[a-z0-9_]+|(?:sys/)?[a-z]+\.h")  # <vector>, <cstdint>; <unistd.h>, <sys/stat.h>
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]', re.MULTILINE)
+TEXT = re.compile(r'//[^\n]*|"((?:[^"\\\n]|\\.)*)"')  # a comment, or a text in the first group
+OPTION = re.compile(r"(?<!\S)--[a-z]")
 SOURCES = {".hpp", ".cpp", ".h", ".c"}
 
 
@@ -112,7 +115,7 @@ def problem_outside(place, quoted, header):
 
 
 def problems(root):
-    """One line for each include against the arrows, and the number of files read."""
+    """One line for each include against the arrows and each text with an option, and the number of files read."""
     found, files = [], 0
     public = [line.split()[1] for line in (root / PUBLIC_HEADERS).read_text().splitlines()]
     found += [f"{PUBLIC_HEADERS}: there is no {header}" for header in public if not (root / "lib/uhas" / header).is_file()]
@@ -134,6 +137,11 @@ def problems(root):
                 if problem:
                     line = text.count("\n", 0, match.start(1)) + 1
                     found.append(f"{path.relative_to(root)}:{line}: {header}: {problem}")
+            for match in TEXT.finditer(text) if place == "lib" else ():
+                if OPTION.search(match[1] or ""):
+                    line = text.count("\n", 0, match.start()) + 1
+                    found.append(f"{path.relative_to(root)}:{line}: names an option: name the field, and word it in "
+                                 "tools/command_line/option_names.cpp")
     return found, files
 
 
@@ -179,20 +187,34 @@ PLANTED = [
 ]
 
 
+# a line of lib, whether it names an option of the tools in a text
+PLANTED_TEXTS = [
+    ('throw Error("raise it by --limit links=N");', True),
+    ('throw Error("a \\" quote; --limit links=N");', True),
+    ('// "--config" says so', False),
+    ('for (int i = 3; --i > 0;) names("x--y");', False),
+]
+
+
+def is_refused(file, line):
+    """Whether `file` with this line alone is found at fault."""
+    with tempfile.TemporaryDirectory() as folder:
+        root = pathlib.Path(folder)
+        path, listed = root / file, root / "lib/uhas" / PLANTED_PUBLIC
+        for parent in (path.parent, listed.parent):
+            parent.mkdir(parents=True, exist_ok=True)
+        listed.touch()
+        (root / PUBLIC_HEADERS).write_text(f"runtime {PLANTED_PUBLIC}\n")
+        path.write_text(f"// planted\n{line}\n", encoding="utf-8")
+        return bool(problems(root)[0])
+
+
 def self_test():
-    wrong = []
-    for file, include, forbidden in PLANTED:
-        with tempfile.TemporaryDirectory() as folder:
-            root = pathlib.Path(folder)
-            path, listed = root / file, root / "lib/uhas" / PLANTED_PUBLIC
-            for parent in (path.parent, listed.parent):
-                parent.mkdir(parents=True, exist_ok=True)
-            listed.touch()
-            (root / PUBLIC_HEADERS).write_text(f"runtime {PLANTED_PUBLIC}\n")
-            path.write_text(f"// planted\n  #  include {include}\n", encoding="utf-8")
-            if bool(problems(root)[0]) != forbidden:
-                wrong.append(f"{file}: {include}: {'not caught' if forbidden else 'wrongly refused'}")
-    print("\n".join(wrong) or f"{len(PLANTED)} planted includes, each judged rightly")
+    planted = [(file, f"  #  include {include}", forbidden) for file, include, forbidden in PLANTED]
+    planted += [("lib/uhas/model/hand_model.cpp", text, forbidden) for text, forbidden in PLANTED_TEXTS]
+    wrong = [f"{file}: {line}: {'not caught' if forbidden else 'wrongly refused'}" for file, line, forbidden in planted
+             if is_refused(file, line) != forbidden]
+    print("\n".join(wrong) or f"{len(planted)} planted lines, each judged rightly")
     return not wrong
 
 

@@ -6,9 +6,10 @@
 #include "command_line/tool.hpp"
 #include "input/model_input.hpp"
 #include "input/profile_input.hpp"
-#include "json/evaluation_report.hpp"
+#include "json/evaluation_json.hpp"
 #include "output/report_page.hpp"
-#include "uhas/files/file_bytes.hpp"
+#include "output/write_result.hpp"
+#include "tables/evaluation_table.hpp"
 
 using namespace uhas;
 using namespace uhas::tools;
@@ -78,8 +79,7 @@ ExitCode run(Tool& tool) {
     std::vector<ReportHand> hands = report_hands(files, geometries);
     for (std::size_t i = 0; i < hands.size(); ++i)
       hands[i].evaluation_json = evaluation_json(run, {&run.hands[i], 1}).dump();
-    const std::string page = report_page(hands);
-    replace_file(options.html, std::as_bytes(std::span(page)));
+    write_file(options.html, report_page(hands));
   }
   if (tool.json())
     std::cout << to_text(evaluation_json(run, run.hands));

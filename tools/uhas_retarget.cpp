@@ -5,7 +5,7 @@
 #include "command_line/tool.hpp"
 #include "input/joint_order.hpp"
 #include "input/profile_input.hpp"
-#include "tables/table.hpp"
+#include "text/numbers.hpp"
 #include "uhas/json/json_lines.hpp"
 #include "uhas/runtime/retarget.hpp"
 #include "uhas/trajectory/trajectory_json.hpp"
@@ -117,19 +117,23 @@ TrajectoryKind kind_of(const std::string& path) {
   throw Tool::wrong_usage(path, "the name of a trajectory ends in .json, .jsonl, .h5 or .hdf5");
 }
 
+/// To a file, or for an empty path to standard output: in JSON when that is asked for, else in JSON Lines.
+std::unique_ptr<TrajectoryWriter> make_writer(TrajectoryKind kind, const std::string& path,
+                                              const TrajectoryHeader& header) {
+  if (!path.empty()) return create_trajectory(kind, path, header);
+  const bool whole = kind == TrajectoryKind::json;
+  return stream_trajectory(whole ? TrajectoryKind::json : TrajectoryKind::json_lines, std::cout, header);
+}
+
 ExitCode retarget_file(const Tool& tool, const Options& options) {
   const TrajectoryKind kind = kind_of(options.trajectory);
-  const std::optional<TrajectoryKind> output_kind =
-      options.output.empty() ? std::nullopt : std::optional(kind_of(options.output));
+  const TrajectoryKind output_kind = options.output.empty() ? kind : kind_of(options.output);
   Retargeting run(tool, options);
   const std::unique_ptr<TrajectoryReader> reader =
       open_trajectory(kind, options.trajectory, tool.limits().trajectory());
   run.order = JointOrder(run.from, reader->header().joint_names, options.trajectory);
   warn_of_other_hand(tool, reader->header().hand, run.from);
-  const std::unique_ptr<TrajectoryWriter> writer =
-      output_kind ? create_trajectory(*output_kind, options.output, run.header())
-                  : stream_trajectory(kind == TrajectoryKind::json ? kind : TrajectoryKind::json_lines, std::cout,
-                                      run.header());
+  const std::unique_ptr<TrajectoryWriter> writer = make_writer(output_kind, options.output, run.header());
 
   {
     Progress progress(tool, 1);

@@ -5,10 +5,9 @@
 #include "command_line/tool.hpp"
 #include "input/actions.hpp"
 #include "input/profile_input.hpp"
-#include "output/output.hpp"
 #include "output/report_page.hpp"
 #include "output/solution.hpp"
-#include "uhas/files/file_bytes.hpp"
+#include "output/write_result.hpp"
 #include "uhas/json/json_lines.hpp"
 
 using namespace uhas;
@@ -100,8 +99,7 @@ void write_page(const Tool& tool, const Options& options, const ActionsDocument&
   std::vector<ReportHand> hands =
       report_hands({&file, 1}, find_geometries(tool, {&file, 1}, options.model, "the picture lacks the meshes"));
   hands.front().timeline = {document.actions, document.driving_vectors_phi, document.normalized, solve};
-  const std::string page = report_page(hands);
-  replace_file(options.html, std::as_bytes(std::span(page)));
+  write_file(options.html, report_page(hands));
   tool.log("wrote " + options.html);
 }
 

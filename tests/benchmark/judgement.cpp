@@ -2,7 +2,8 @@
 
 #include <ostream>
 
-#include "tables/table.hpp"
+#include "text/numbers.hpp"
+#include "text/table.hpp"
 
 namespace uhas::benchmark {
 namespace {

@@ -5,7 +5,7 @@
 #include <ostream>
 #include <thread>
 
-#include "tables/table.hpp"
+#include "text/numbers.hpp"
 #include "uhas/runtime/instruction_set.hpp"
 
 namespace uhas::benchmark {

@@ -69,9 +69,9 @@ def cases():
         ("hdf5-bytes", 2 * 8 * len(JOINTS) + 16 * len(JOINTS), retarget + " t.h5"),
     ]
     return [(limit, bound - 1, bound, command) for limit, bound, command in exact] + [
-        ("read-memory", 1, "1G", explain),
-        ("read-memory", 1, "1G", solve),
-        ("read-memory", 1, "1G", retarget + " t.h5"),
+        ("read-memory", "1000K", "1G", explain),
+        ("read-memory", "1000K", "1G", solve),
+        ("read-memory", "1000K", "1G", retarget + " t.h5"),
         ("read-seconds", 1, None, "uhas-explain-hand endless.urdf"),
     ]
 
@@ -103,7 +103,7 @@ def limits_of_tools(bin_folder):
 
 def faults_of_usage(names, environment):
     """What is no NAME=N is wrong usage; an unknown name is answered by the names there are, one without a number by its range."""
-    for wrong in ("mesh=1", "mesh-bytes-=1", "", "=1"):
+    for wrong in ("mesh=1", "mesh-bytes-=1", "mesh", "=1"):
         refused = run(f"uhas-solve actions.json --limit={wrong}", environment)
         if refused.returncode != 2 or not all(name in refused.stderr for name in names):
             yield f"--limit={wrong}: exit code {refused.returncode}, {refused.stderr}"

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "command_line/command_line.hpp"
-#include "tables/table.hpp"
+#include "text/words.hpp"
 
 namespace uhas::tools {
 namespace {

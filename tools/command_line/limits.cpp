@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "command_line/tool.hpp"
-#include "tables/table.hpp"
+#include "text/words.hpp"
 
 namespace uhas::tools {
 namespace {

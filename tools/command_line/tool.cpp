@@ -8,7 +8,7 @@
 #include "command_line/command_line.hpp"
 #include "command_line/library_versions.hpp"
 #include "command_line/option_names.hpp"
-#include "command_line/terminal.hpp"
+#include "text/terminal.hpp"
 #include "uhas/base/errors.hpp"
 #include "uhas/profile/hand_profile.hpp"
 

@@ -1,4 +1,4 @@
-#include "tables/profile_check.hpp"
+#include "input/profile_check.hpp"
 
 #include <algorithm>
 #include <array>
@@ -45,17 +45,6 @@ std::vector<Check> check_sources(const HandProfile& profile, const HandModel& mo
     if (std::ranges::find(before, file.name, &SourceFile::name) == before.end())
       checks.push_back({file.name, false, "new in the model"});
   return checks;
-}
-
-Json profile_check_json(const HandProfile& profile, const std::vector<Check>& checks) {
-  Json list = Json::array();
-  for (const Check& check : checks)
-    list.push_back({{"item", check.item}, {"passed", check.passed}, {"detail", check.detail}});
-  Json document = new_document("uhas-profile-check");
-  document["hand"] = profile.hand;
-  document["passed"] = std::ranges::all_of(checks, &Check::passed);
-  document["checks"] = list;
-  return document;
 }
 
 }  // namespace uhas::tools

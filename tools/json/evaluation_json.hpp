@@ -1,13 +1,12 @@
-// The scores of hands, for people and for machines.
+// The scores of hands, as a JSON document.
 #pragma once
 
-#include <iosfwd>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "uhas/json/json_text.hpp"
 #include "uhas/evaluation/evaluation.hpp"
+#include "uhas/json/json_text.hpp"
 
 namespace uhas::tools {
 
@@ -26,11 +25,5 @@ struct EvaluationRun {
 
 /// A document of schemas/evaluation.schema.json, of these hands of the run.
 Json evaluation_json(const EvaluationRun& run, std::span<const EvaluatedHand> hands);
-
-/// A row a score, a column a hand; of two hands also the difference. One hand's fingers follow in tables of their own.
-void print_evaluation(std::ostream& out, const EvaluationRun& run);
-
-/// The first of these tables in Markdown, a row a hand.
-void print_evaluation_markdown(std::ostream& out, const EvaluationRun& run);
 
 }  // namespace uhas::tools

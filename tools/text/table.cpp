@@ -1,9 +1,6 @@
-#include "tables/table.hpp"
+#include "text/table.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
-#include <numbers>
 #include <ostream>
 
 namespace uhas::tools {
@@ -36,24 +33,6 @@ void Table::print(std::ostream& out) const {
   };
   print_row([&](std::size_t i) { return Cell(columns_[i].header, Tone::heading); });
   for (const auto& row : rows_) print_row([&](std::size_t i) { return row[i]; });
-}
-
-std::string fixed(double value, int decimals) {
-  std::array<char, 400> text{};  // the largest double has 309 digits before the point
-  std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
-  std::string result = text.data();
-  const bool is_zero = result.find_first_of("123456789in") == std::string::npos;  // "in": inf and nan
-  return is_zero && result[0] == '-' ? result.substr(1) : result;
-}
-
-std::string degrees(double radians) { return fixed(radians * 180 / std::numbers::pi, 1); }
-
-std::string millimetres(double metres) { return fixed(metres * 1000, 1); }
-
-std::string join(const std::vector<std::string>& words, const std::string& separator) {
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i) text += (i > 0 ? separator : "") + words[i];
-  return text;
 }
 
 }  // namespace uhas::tools

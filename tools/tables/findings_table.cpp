@@ -1,6 +1,7 @@
-#include "tables/findings.hpp"
+#include "tables/findings_table.hpp"
 
-#include "tables/table.hpp"
+#include "text/numbers.hpp"
+#include "text/table.hpp"
 
 namespace uhas::tools {
 

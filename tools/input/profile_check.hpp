@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "uhas/json/json_text.hpp"
 #include "uhas/model/hand_model.hpp"
 
 namespace uhas::tools {
@@ -20,8 +19,5 @@ std::vector<Check> check_behaviour(const HandProfile& profile);
 
 /// Compares the SHA-256 of every file of the model with the profile's.
 std::vector<Check> check_sources(const HandProfile& profile, const HandModel& model);
-
-/// {"format": "uhas-profile-check", ...} (schemas/profile-check.schema.json).
-Json profile_check_json(const HandProfile& profile, const std::vector<Check>& checks);
 
 }  // namespace uhas::tools

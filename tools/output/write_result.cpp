@@ -1,4 +1,4 @@
-#include "output/output.hpp"
+#include "output/write_result.hpp"
 
 #include <iostream>
 #include <span>
@@ -7,11 +7,15 @@
 
 namespace uhas::tools {
 
+void write_file(const std::string& path, const std::string& text) {
+  replace_file(path, std::as_bytes(std::span(text)));
+}
+
 void write_result(const std::string& path, const std::string& text) {
   if (path.empty() || path == "-")
     std::cout << text;
   else
-    replace_file(path, std::as_bytes(std::span(text)));
+    write_file(path, text);
 }
 
 }  // namespace uhas::tools

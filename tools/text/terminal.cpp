@@ -1,4 +1,4 @@
-#include "command_line/terminal.hpp"
+#include "text/terminal.hpp"
 
 #include <unistd.h>
 

@@ -1,11 +1,11 @@
-// Text in aligned columns, and numbers as people read them.
+// Text in aligned columns.
 #pragma once
 
 #include <iosfwd>
 #include <string>
 #include <vector>
 
-#include "command_line/terminal.hpp"
+#include "text/terminal.hpp"
 
 namespace uhas::tools {
 
@@ -38,17 +38,5 @@ class Table {
   std::vector<Column> columns_;
   std::vector<std::vector<Cell>> rows_;
 };
-
-/// `value` with `decimals` digits after the point; never "-0".
-std::string fixed(double value, int decimals);
-
-/// Radians as degrees with one decimal.
-std::string degrees(double radians);
-
-/// Metres as millimetres with one decimal.
-std::string millimetres(double metres);
-
-/// `words` joined by `separator`.
-std::string join(const std::vector<std::string>& words, const std::string& separator);
 
 }  // namespace uhas::tools

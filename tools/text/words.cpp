@@ -1,4 +1,4 @@
-#include "tables/names.hpp"
+#include "text/words.hpp"
 
 namespace uhas::tools {
 
@@ -18,6 +18,12 @@ std::vector<int> slot_numbers(const std::array<bool, kSlotCount>& slots) {
   for (int slot = 0; slot < kSlotCount; ++slot)
     if (slots[slot]) numbers.push_back(slot);
   return numbers;
+}
+
+std::string join(const std::vector<std::string>& words, const std::string& separator) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) text += (i > 0 ? separator : "") + words[i];
+  return text;
 }
 
 }  // namespace uhas::tools

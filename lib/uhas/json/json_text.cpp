@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 
 #include "uhas/base/errors.hpp"
 #include "uhas/files/file_bytes.hpp"
@@ -60,7 +59,7 @@ class Bounds {
  public:
   explicit Bounds(const std::string& file) : file_(file) {}
 
-  bool operator()(int depth, Json::parse_event_t event, const Json&) {
+  bool accept(int depth, Json::parse_event_t event) {
     if (depth > kMaxDepth) refuse("nested more than " + std::to_string(kMaxDepth) + " levels deep", "use fewer levels");
     if (event == Json::parse_event_t::object_start) keys_[depth + 1] = 0;
     if (event == Json::parse_event_t::key && ++keys_[depth] > kMaxKeys)
@@ -109,8 +108,9 @@ std::string to_canonical_text(const Json& document) {
 
 Json parse_json(std::string_view text, const std::string& file) {
   Bounds bounds(file);
+  const auto look_on = [&](int depth, Json::parse_event_t event, const Json&) { return bounds.accept(depth, event); };
   try {
-    return Json::parse(text, std::ref(bounds));
+    return Json::parse(text, look_on);
   } catch (const nlohmann::json::parse_error& error) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
     const auto line = 1 + std::count(text.begin(), end, '\n');

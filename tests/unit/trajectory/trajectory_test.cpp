@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <fstream>
 #include <sstream>
 
@@ -116,10 +117,12 @@ TEST_CASE("bounds are named by their fields") {
   const ScratchFolder folder;
   for (const char* name : {"t.json", "t.h5"})
     write(*create_trajectory(*trajectory_kind(name), folder.file(name), kHeader), {{1, 2}});
+  TrajectoryLimits limits;
+  limits.max_json_bytes = limits.max_hdf5_bytes = 10;
   check_error(ErrorCode::limit_exceeded, "raise TrajectoryLimits::max_json_bytes",
-              [&] { read(folder.file("t.json"), {.max_json_bytes = 10}); });
+              [&] { read(folder.file("t.json"), limits); });
   check_error(ErrorCode::limit_exceeded, "raise TrajectoryLimits::max_hdf5_bytes",
-              [&] { read(folder.file("t.h5"), {.max_hdf5_bytes = 10}); });
+              [&] { read(folder.file("t.h5"), limits); });
 }
 
 TEST_CASE("the summary counts frames off the action manifold") {

@@ -3,9 +3,10 @@
 #include <iostream>
 
 #include "input/hand_input.hpp"
-#include "json/profile_summary.hpp"
-#include "tables/findings.hpp"
-#include "tables/hand_explanation.hpp"
+#include "json/profile_summary_json.hpp"
+#include "output/hand_config_output.hpp"
+#include "tables/findings_table.hpp"
+#include "tables/profile_summary_table.hpp"
 #include "uhas/profile_io/write_profile.hpp"
 
 using namespace uhas;

@@ -3,8 +3,9 @@
 
 #include "input/hand_input.hpp"
 #include "json/stage_json.hpp"
-#include "tables/names.hpp"
-#include "tables/table.hpp"
+#include "text/numbers.hpp"
+#include "text/table.hpp"
+#include "text/words.hpp"
 
 using namespace uhas;
 using namespace uhas::tools;

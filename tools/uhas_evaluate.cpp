@@ -6,9 +6,10 @@
 #include "command_line/tool.hpp"
 #include "input/model_input.hpp"
 #include "input/profile_input.hpp"
-#include "json/evaluation_report.hpp"
+#include "json/evaluation_json.hpp"
 #include "output/report_page.hpp"
-#include "uhas/files/file_bytes.hpp"
+#include "output/write_result.hpp"
+#include "tables/evaluation_table.hpp"
 
 using namespace uhas;
 using namespace uhas::tools;
@@ -57,7 +58,7 @@ ExitCode run(Tool& tool) {
   options.evaluation.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   add_options(tool.options(), options);
   tool.parse();
-  options.model.load.in_child = tool.child_limits();
+  tool.limits().apply_to(options.model.load);
   if (tool.json() && options.markdown) throw Tool::wrong_usage("--markdown", "cannot be printed as JSON too");
 
   std::vector<ProfileFile> files;
@@ -77,8 +78,7 @@ ExitCode run(Tool& tool) {
     std::vector<ReportHand> hands = report_hands(files, geometries);
     for (std::size_t i = 0; i < hands.size(); ++i)
       hands[i].evaluation_json = evaluation_json(run, {&run.hands[i], 1}).dump();
-    const std::string page = report_page(hands);
-    replace_file(options.html, std::as_bytes(std::span(page)));
+    write_file(options.html, report_page(hands));
   }
   if (tool.json())
     std::cout << to_text(evaluation_json(run, run.hands));

@@ -2,7 +2,9 @@
 #include <iostream>
 
 #include "input/hand_input.hpp"
-#include "tables/hand_explanation.hpp"
+#include "json/hand_explanation_json.hpp"
+#include "output/hand_config_output.hpp"
+#include "tables/hand_explanation_table.hpp"
 
 using namespace uhas;
 using namespace uhas::tools;

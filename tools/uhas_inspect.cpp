@@ -2,13 +2,16 @@
 #include <algorithm>
 #include <iostream>
 
+#include "input/profile_check.hpp"
 #include "input/profile_input.hpp"
 #include "json/json_value.hpp"
-#include "json/profile_summary.hpp"
+#include "json/profile_check_json.hpp"
+#include "json/profile_summary_json.hpp"
 #include "output/pictures.hpp"
-#include "tables/findings.hpp"
-#include "tables/profile_check.hpp"
-#include "tables/table.hpp"
+#include "tables/findings_table.hpp"
+#include "tables/profile_check_table.hpp"
+#include "tables/profile_summary_table.hpp"
+#include "text/words.hpp"
 #include "uhas/profile_io/reseal_profile.hpp"
 
 using namespace uhas;
@@ -51,10 +54,7 @@ ExitCode report(const Tool& tool, const std::string& path, const HandProfile& pr
   if (tool.json()) {
     std::cout << to_text(profile_check_json(profile, checks));
   } else {
-    Table table({{"check"}, {"result"}, {"found"}});
-    for (const Check& check : checks)
-      table.add_row({check.item, check.passed ? "ok" : Table::Cell("FAILED", Tone::error), check.detail});
-    table.print(std::cout);
+    print_checks(std::cout, checks);
   }
   if (passed) return ExitCode::done;
 
@@ -87,7 +87,7 @@ ExitCode run(Tool& tool) {
   Options options;
   add_options(tool.options(), options);
   tool.parse();
-  options.model.load.in_child = tool.child_limits();
+  tool.limits().apply_to(options.model.load);
   check_usage(options);
 
   std::vector<ProfileFile> files;

@@ -3,8 +3,8 @@
 
 #include "input/hand_input.hpp"
 #include "json/stage_json.hpp"
-#include "output/output.hpp"
-#include "tables/table.hpp"
+#include "output/write_result.hpp"
+#include "text/table.hpp"
 
 using namespace uhas;
 using namespace uhas::tools;

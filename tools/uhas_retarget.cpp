@@ -1,15 +1,14 @@
 // uhas-retarget: a trajectory of one hand becomes one of another.
 #include <iostream>
 
-#include "command_line/limits.hpp"
 #include "command_line/progress.hpp"
 #include "command_line/tool.hpp"
 #include "input/joint_order.hpp"
 #include "input/profile_input.hpp"
-#include "json/json_lines.hpp"
-#include "tables/table.hpp"
-#include "trajectory/trajectory_json.hpp"
+#include "text/numbers.hpp"
+#include "uhas/json/json_lines.hpp"
 #include "uhas/runtime/retarget.hpp"
+#include "uhas/trajectory/trajectory_json.hpp"
 
 using namespace uhas;
 using namespace uhas::tools;
@@ -21,7 +20,6 @@ constexpr std::size_t kFramesBetweenProgress = 64;
 struct Options {
   std::string from, to, trajectory, output;
   int driving_vectors = 2;
-  TrajectoryLimits limits;
 };
 
 void add_options(CLI::App& app, Options& options) {
@@ -38,9 +36,6 @@ void add_options(CLI::App& app, Options& options) {
                  "Driving vectors in each plane; more follow the first hand more closely [2]")
       ->check(CLI::Range(1, kMaxDrivingVectors).description(""))
       ->type_name("N");
-  add_limit(app, "--max-json-bytes", options.limits.max_json_bytes, "Refuse a larger trajectory in .json");
-  add_limit(app, "--max-hdf5-bytes", options.limits.max_hdf5_bytes,
-            "Refuse an HDF5 trajectory of more bytes, unpacked");
 }
 
 /// Two hands and what lies between them.
@@ -101,8 +96,7 @@ void print_summary(const Tool& tool, const Retargeting& run) {
 ExitCode retarget_stream(const Tool& tool, const Options& options) {
   if (!options.output.empty()) throw Tool::wrong_usage("--output", "a stream of frames goes to standard output");
   Retargeting run(tool, options);
-  const std::size_t failed = answer_json_lines(std::cin, std::cout, [&](const std::string& line) {
-    const Json value = parse_json(line, "");
+  const std::size_t failed = answer_json_lines(std::cin, std::cout, [&](const Json& value) {
     if (const std::optional<TrajectoryHeader> header = header_of(value, "header")) {
       run.order = JointOrder(run.from, header->joint_names, "header");
       warn_of_other_hand(tool, header->hand, run.from);
@@ -118,17 +112,28 @@ ExitCode retarget_stream(const Tool& tool, const Options& options) {
   return ExitCode::run_failed;
 }
 
+TrajectoryKind kind_of(const std::string& path) {
+  if (const std::optional<TrajectoryKind> kind = trajectory_kind(path)) return *kind;
+  throw Tool::wrong_usage(path, "the name of a trajectory ends in .json, .jsonl, .h5 or .hdf5");
+}
+
+/// To a file, or for an empty path to standard output: in JSON when that is asked for, else in JSON Lines.
+std::unique_ptr<TrajectoryWriter> make_writer(TrajectoryKind kind, const std::string& path,
+                                              const TrajectoryHeader& header) {
+  if (!path.empty()) return create_trajectory(kind, path, header);
+  const bool whole = kind == TrajectoryKind::json;
+  return stream_trajectory(whole ? TrajectoryKind::json : TrajectoryKind::json_lines, std::cout, header);
+}
+
 ExitCode retarget_file(const Tool& tool, const Options& options) {
-  const TrajectoryKind kind =
-      options.output.empty() ? trajectory_kind(options.trajectory) : trajectory_kind(options.output);
-  const bool binary_to_stdout = options.output.empty() && kind == TrajectoryKind::hdf5;
+  const TrajectoryKind kind = kind_of(options.trajectory);
+  const TrajectoryKind output_kind = options.output.empty() ? kind : kind_of(options.output);
   Retargeting run(tool, options);
   const std::unique_ptr<TrajectoryReader> reader =
-      open_trajectory(options.trajectory, options.limits, tool.child_limits());
+      open_trajectory(kind, options.trajectory, tool.limits().trajectory());
   run.order = JointOrder(run.from, reader->header().joint_names, options.trajectory);
   warn_of_other_hand(tool, reader->header().hand, run.from);
-  const std::unique_ptr<TrajectoryWriter> writer =
-      create_trajectory(binary_to_stdout ? TrajectoryKind::json_lines : kind, options.output, run.header());
+  const std::unique_ptr<TrajectoryWriter> writer = make_writer(output_kind, options.output, run.header());
 
   {
     Progress progress(tool, 1);

@@ -2,15 +2,13 @@
 #include <iostream>
 #include <optional>
 
-#include "command_line/limits.hpp"
 #include "command_line/tool.hpp"
 #include "input/actions.hpp"
 #include "input/profile_input.hpp"
-#include "json/json_lines.hpp"
-#include "output/output.hpp"
 #include "output/report_page.hpp"
 #include "output/solution.hpp"
-#include "uhas/files/file_bytes.hpp"
+#include "output/write_result.hpp"
+#include "uhas/json/json_lines.hpp"
 
 using namespace uhas;
 using namespace uhas::tools;
@@ -26,7 +24,6 @@ struct Options {
   SolveOptions solve;  // field and passes
   JointSelection joints;
   CollisionUse collision;
-  ActionsLimits limits;
 
   /// With the rule and the closing that were asked for, else those of the convention: the option's, else the file's.
   SolveOptions solve_options(const SolveOptions& convention_of_file) const {
@@ -73,9 +70,6 @@ void add_options(CLI::App& app, Options& options) {
                "Scale back actions whose solution has the hand collide with itself");
   add_html_option(app, options.html, "Draw also the solutions, played on the hand, as a page for any browser, offline");
   add_model_options(app, options.model);
-  add_limit(app, "--max-json-bytes", options.limits.max_json_bytes, "Refuse a larger file of actions");
-  add_limit(app, "--max-actions", options.limits.max_actions,
-            "Refuse a file of more actions; a stream may have any number");
 }
 
 ExitCode solve_stream(const Tool& tool, const Options& options) {
@@ -84,8 +78,8 @@ ExitCode solve_stream(const Tool& tool, const Options& options) {
   if (!options.html.empty()) throw Tool::wrong_usage("--html", "needs a file of actions");
   SolutionMaker maker({options.profile, read_profile(tool, options.profile)}, options.solve_options(kUhas),
                       options.joints, options.collision, options.model);
-  const std::size_t failed = answer_json_lines(std::cin, std::cout, [&](const std::string& line) {
-    const std::vector<double> values = parse_action(line);
+  const std::size_t failed = answer_json_lines(std::cin, std::cout, [&](const Json& value) {
+    const std::vector<double> values = action_of(value);
     return maker.solve({.values = values}, "");
   });
   tool.warn(maker.warnings());
@@ -103,13 +97,12 @@ void write_page(const Tool& tool, const Options& options, const ActionsDocument&
   std::vector<ReportHand> hands =
       report_hands({&file, 1}, find_geometries(tool, {&file, 1}, options.model, "the picture lacks the meshes"));
   hands.front().timeline = {document.actions, document.driving_vectors_phi, document.normalized, solve};
-  const std::string page = report_page(hands);
-  replace_file(options.html, std::as_bytes(std::span(page)));
+  write_file(options.html, report_page(hands));
   tool.log("wrote " + options.html);
 }
 
 ExitCode solve_file(const Tool& tool, const Options& options) {
-  ActionsDocument document = read_actions(options.actions, options.limits);
+  ActionsDocument document = read_actions(options.actions, tool.limits());
   const std::string profile_path = options.profile.empty() ? document.profile : options.profile;
   if (profile_path.empty())
     throw Tool::wrong_usage("--profile", "needed because " + options.actions + " does not name a hand profile");
@@ -137,7 +130,7 @@ ExitCode run(Tool& tool) {
   Options options;
   add_options(tool.options(), options);
   tool.parse();
-  options.model.load.in_child = tool.child_limits();
+  tool.limits().apply_to(options.model.load);
   if (!options.model.urdfs.empty() && options.html.empty() && !options.collision.report && !options.collision.avoid)
     throw Tool::wrong_usage("--urdf", "needs --collisions, --avoid or --html");
   return options.actions == "-" ? solve_stream(tool, options) : solve_file(tool, options);

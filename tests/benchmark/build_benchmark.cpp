@@ -9,7 +9,8 @@
 #include "hand_case.hpp"
 #include "judgement.hpp"
 #include "machine.hpp"
-#include "tables/table.hpp"
+#include "text/numbers.hpp"
+#include "text/table.hpp"
 
 using namespace uhas;
 using namespace uhas::benchmark;

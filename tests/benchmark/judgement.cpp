@@ -2,7 +2,8 @@
 
 #include <ostream>
 
-#include "tables/table.hpp"
+#include "text/numbers.hpp"
+#include "text/table.hpp"
 
 namespace uhas::benchmark {
 namespace {
@@ -42,9 +43,9 @@ Verdict Judgement::verdict() const {
   return meets(aim) ? Verdict::aim : meets(must) ? Verdict::must : Verdict::missed;
 }
 
-tools::Json to_json(const std::vector<Judgement>& judgements) {
+Json to_json(const std::vector<Judgement>& judgements) {
   constexpr const char* words[] = {"aim", "must", "missed"};
-  tools::Json list = tools::Json::array();
+  Json list = Json::array();
   for (const Judgement& judgement : judgements)
     list.push_back({{"requirement", judgement.requirement},
                     {"bound", judgement.at_most ? "at most" : "at least"},

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "json/json_text.hpp"
+#include "uhas/json/json_text.hpp"
 
 namespace uhas::benchmark {
 
@@ -21,7 +21,7 @@ struct Judgement {
   Verdict verdict() const;
 };
 
-tools::Json to_json(const std::vector<Judgement>& judgements);
+Json to_json(const std::vector<Judgement>& judgements);
 void print_table(const std::vector<Judgement>& judgements, std::ostream& out);
 void print_markdown(const std::vector<Judgement>& judgements, std::ostream& out);
 

@@ -5,7 +5,7 @@
 #include <ostream>
 #include <thread>
 
-#include "tables/table.hpp"
+#include "text/numbers.hpp"
 #include "uhas/runtime/instruction_set.hpp"
 
 namespace uhas::benchmark {
@@ -30,7 +30,7 @@ Machine this_machine() {
           0};
 }
 
-tools::Json to_json(const Machine& machine) {
+Json to_json(const Machine& machine) {
   return {{"processor", machine.processor},
           {"processors", machine.processors},
           {"instruction_set", machine.instruction_set},

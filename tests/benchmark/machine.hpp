@@ -4,7 +4,7 @@
 #include <iosfwd>
 #include <string>
 
-#include "json/json_text.hpp"
+#include "uhas/json/json_text.hpp"
 
 namespace uhas::benchmark {
 
@@ -20,7 +20,7 @@ struct Machine {
 /// The machine before measuring.
 Machine this_machine();
 
-tools::Json to_json(const Machine& machine);
+Json to_json(const Machine& machine);
 
 /// One line.
 void print_machine(const Machine& machine, std::ostream& out);

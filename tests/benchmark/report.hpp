@@ -4,10 +4,10 @@
 #include <iosfwd>
 #include <vector>
 
-#include "json/json_text.hpp"
 #include "machine.hpp"
 #include "requirements.hpp"
 #include "runtime_measurement.hpp"
+#include "uhas/json/json_text.hpp"
 
 namespace uhas::benchmark {
 
@@ -21,7 +21,7 @@ struct RuntimeReport {
 };
 
 /// `uhas-runtime-benchmark`, version 1: see runtime-benchmark.schema.json.
-tools::Json to_json(const RuntimeReport& report);
+Json to_json(const RuntimeReport& report);
 
 /// One table a hand: every work with median, p99 and worst; then the requirements.
 void print_tables(const RuntimeReport& report, std::ostream& out);

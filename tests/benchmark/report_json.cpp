@@ -3,8 +3,6 @@
 namespace uhas::benchmark {
 namespace {
 
-using tools::Json;
-
 Json to_json(const Summary& summary) {
   return {{"median_ns", summary.median}, {"p99_ns", summary.p99}, {"worst_ns", summary.worst}};
 }
@@ -52,7 +50,7 @@ Json to_list(const Items& items) {
 }  // namespace
 
 Json to_json(const RuntimeReport& report) {
-  Json document = tools::new_document("uhas-runtime-benchmark");
+  Json document = new_document("uhas-runtime-benchmark");
   document["machine"] = to_json(report.machine);
   document["settings"] = {{"seed", report.seed},
                           {"rounds", report.settings.rounds},

@@ -1,7 +1,8 @@
 #include <ostream>
 
 #include "report.hpp"
-#include "tables/table.hpp"
+#include "text/numbers.hpp"
+#include "text/table.hpp"
 
 namespace uhas::benchmark {
 namespace {

@@ -107,7 +107,7 @@ def check(shell, tool, parser):
     for option in parser["options"]:
         name = option["names"][-1]
         if option["kind"] == "words":
-            offered, words = shell.offers(tool, name, ""), set(option["argument"].split("|"))
+            offered, words = shell.offers(tool, name, ""), set(option["words"])
             if offered != words:
                 yield f"offers {sorted(offered)} for {name}, not {sorted(words)}"
         if option["kind"] == "file" and not any(FILE in word.replace("\\", "") for word in shell.offers(tool, name, "")):

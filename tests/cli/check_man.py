@@ -5,8 +5,7 @@
 
 Every tool has a page and every page a tool. Every option of the tool's parser (--describe) is in --help and on the page, by the
 same names, with the same argument and the same default; every option of both is one of the parser's. uhas(7) names every tool
-and every bound with its option and default,
-uhas-hand-config(5) every key of the schema, uhas-hand-profile(5) every dataset of the list, and none that is not there. The
+and every limit with its default, uhas-hand-config(5) every key of the schema, uhas-hand-profile(5) every dataset of the list, and none that is not there. The
 examples of every page run, leave stderr empty, and print what the page shows. mandoc finds no fault, where mandoc is installed.
 """
 
@@ -118,14 +117,13 @@ def check_overviews(pages):
 
 
 def check_limits(pages, bin_folder):
-    """Faults of the table of limits of uhas(7), whose rows are `what Ta default Ta Fl -max-...`, against the tools."""
+    """Faults of the table of limits of uhas(7), whose rows are `Cm name Ta default Ta ...`, against the tools."""
     text = next(page for page in pages if page.name == "uhas.7").read_text()
-    table = {f"-{option} [{default}]" for default, option in re.findall(r"^\.It .* Ta (\d+) Ta Fl (-max-\S+)$", text, re.M)}
+    table = {f"{name} [{default}]" for name, default in re.findall(r"^\.It Cm (\S+) Ta (\d+) Ta", text, re.M)}
     limits = set()
     for tool in bin_folder.glob("uhas-*"):
         described = subprocess.run([tool, "--describe", "json"], capture_output=True, text=True, check=True).stdout
-        for names, (_, default) in options_of_parser(json.loads(described)).items():
-            limits |= {f"{name} [{default}]" for name in names if name.startswith("--max-")}
+        limits |= {f"{name} [{default}]" for name, default in json.loads(described)["limits"].items()}
     return difference(limits, "the tools", table, "the table of uhas(7)")
 
 

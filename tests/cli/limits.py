@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Every bound that an option sets: a file beyond it is refused by one line that names the option, the same file passes when the
-option is raised to fit. Every --max option of every tool is tried.
+"""Every bound that --limit sets: a file beyond it is refused by one line that names the limit, the same file passes when the
+limit is raised to fit. Every name that a tool knows is tried. Other names and numbers are refused.
 
     limits.py --bin build/dev/bin
 """
@@ -51,28 +51,28 @@ def write_input():
 
 
 def cases():
-    """(option, a bound that is too low, one that fits or None when none does, command)"""
+    """(limit, a bound that is too low, one that fits or None when none does, command)"""
     size = os.path.getsize
     explain, inspect = f"uhas-explain-hand {URDF} --config hand.json", f"uhas-inspect hand.h5 --gltf hand.glb --urdf {URDF}"
     solve, retarget = "uhas-solve actions.json --profile hand.h5", "uhas-retarget --from hand.h5 --to hand.h5 -o new.json"
     exact = [
-        ("--max-config-bytes", size("hand.json"), explain),
-        ("--max-urdf-bytes", size(URDF), explain),
-        ("--max-links", URDF.read_text().count("<link "), explain),
-        ("--max-mesh-bytes", max(size(mesh) for mesh in (HAND / "meshes").iterdir()), explain),
-        ("--max-triangles", count_triangles(), explain),
-        ("--max-urdf-bytes", size(URDF), inspect),
-        ("--max-triangles", count_triangles(), inspect),
-        ("--max-json-bytes", size("actions.json"), solve),
-        ("--max-actions", 3, solve),
-        ("--max-json-bytes", size("t.json"), retarget + " t.json"),
-        ("--max-hdf5-bytes", 2 * 8 * len(JOINTS) + 16 * len(JOINTS), retarget + " t.h5"),
+        ("config-bytes", size("hand.json"), explain),
+        ("urdf-bytes", size(URDF), explain),
+        ("links", URDF.read_text().count("<link "), explain),
+        ("mesh-bytes", max(size(mesh) for mesh in (HAND / "meshes").iterdir()), explain),
+        ("triangles", count_triangles(), explain),
+        ("urdf-bytes", size(URDF), inspect),
+        ("triangles", count_triangles(), inspect),
+        ("json-bytes", size("actions.json"), solve),
+        ("actions", 3, solve),
+        ("json-bytes", size("t.json"), retarget + " t.json"),
+        ("hdf5-bytes", 2 * 8 * len(JOINTS) + 16 * len(JOINTS), retarget + " t.h5"),
     ]
-    return [(option, bound - 1, bound, command) for option, bound, command in exact] + [
-        ("--max-read-bytes", 1, 1 << 30, explain),
-        ("--max-read-bytes", 1, 1 << 30, solve),
-        ("--max-read-bytes", 1, 1 << 30, retarget + " t.h5"),
-        ("--max-read-seconds", 1, None, "uhas-explain-hand endless.urdf"),
+    return [(limit, bound - 1, bound, command) for limit, bound, command in exact] + [
+        ("read-memory", "1000K", "1G", explain),
+        ("read-memory", "1000K", "1G", solve),
+        ("read-memory", "1000K", "1G", retarget + " t.h5"),
+        ("read-seconds", 1, None, "uhas-explain-hand endless.urdf"),
     ]
 
 
@@ -80,24 +80,41 @@ def run(command, environment):
     return subprocess.run(command.split(), env=environment, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=60)
 
 
-def faults_of(option, too_low, enough, command, environment):
-    refused = run(f"{command} {option} {too_low}", environment)
-    if refused.returncode != 1 or refused.stderr.count("\n") != 1 or f"raise the bound by {option}\n" not in refused.stderr:
+def faults_of(limit, too_low, enough, command, environment):
+    refused = run(f"{command} --limit {limit}={too_low}", environment)
+    remedy = f"raise the bound by --limit {limit}=N\n"
+    if refused.returncode != 1 or refused.stderr.count("\n") != 1 or not refused.stderr.endswith(remedy):
         yield f"beyond the bound of {too_low}: exit code {refused.returncode}, {refused.stderr}"
     if enough is None:
         return
-    accepted = run(f"{command} {option} {enough}", environment)
+    accepted = run(f"{command} --limit {limit}={enough}", environment)
     if accepted.returncode != 0:
         yield f"with the bound at {enough}: exit code {accepted.returncode}, {accepted.stderr}"
 
 
-def options_of_tools(bin_folder):
-    """The --max options that any tool has."""
+def limits_of_tools(bin_folder):
+    """The names that --limit takes, of all tools."""
     found = set()
     for tool in sorted(bin_folder.glob("uhas-*")):
-        described = json.loads(subprocess.run([tool, "--describe", "json"], capture_output=True, text=True, check=True).stdout)
-        found |= {name for option in described["options"] for name in option["names"] if name.startswith("--max-")}
+        described = subprocess.run([tool, "--describe", "json"], capture_output=True, text=True, check=True).stdout
+        found |= set(json.loads(described)["limits"])
     return found
+
+
+def faults_of_usage(names, environment):
+    """What is no NAME=N is wrong usage; an unknown name is answered by the names there are, one without a number by its range."""
+    for wrong in ("mesh=1", "mesh-bytes-=1", "mesh", "=1"):
+        refused = run(f"uhas-solve actions.json --limit={wrong}", environment)
+        if refused.returncode != 2 or not all(name in refused.stderr for name in names):
+            yield f"--limit={wrong}: exit code {refused.returncode}, {refused.stderr}"
+    for number in ("", "0", "-1", "1.5", "1k", "1 K", "K", "0x10", "18446744073709551616", "17179869184G"):
+        command = ["uhas-solve", "actions.json", "--limit", f"json-bytes={number}"]
+        refused = subprocess.run(command, env=environment, capture_output=True, text=True)
+        if refused.returncode != 2 or "N a whole number" not in refused.stderr:
+            yield f"--limit json-bytes={number}: exit code {refused.returncode}, {refused.stderr}"
+    refused = run("uhas-solve actions.json --limit links=10001", environment)
+    if refused.returncode != 2 or "from 1 to 10000" not in refused.stderr:
+        yield f"--limit links=10001: exit code {refused.returncode}, {refused.stderr}"
 
 
 def main():
@@ -112,13 +129,17 @@ def main():
         write_input()
         assert run(f"uhas-build-profile --quiet {URDF} -o hand.h5", environment).returncode == 0
         tried = cases()
-        for option, too_low, enough, command in tried:
-            faults = list(faults_of(option, too_low, enough, command, environment))
+        for limit, too_low, enough, command in tried:
+            faults = list(faults_of(limit, too_low, enough, command, environment))
             failed += bool(faults)
-            print("\n  ".join([f"{'FAILED' if faults else 'ok':6}  {option} of {command.split()[0]}", *faults]))
+            print("\n  ".join([f"{'FAILED' if faults else 'ok':6}  {limit} of {command.split()[0]}", *faults]))
+        names = limits_of_tools(bin_folder)
+        usage = list(faults_of_usage(names, environment))
+        failed += bool(usage)
+        print("\n  ".join([f"{'FAILED' if usage else 'ok':6}  wrong usage", *usage]))
         os.chdir(HERE)
-    untried = sorted(options_of_tools(bin_folder) - {option for option, *_ in tried})
-    print(f"{len(tried)} bounds, {failed} failed" + "".join(f"\n{option} is not tried" for option in untried))
+    untried = sorted(names - {limit for limit, *_ in tried})
+    print(f"{len(tried)} bounds, {failed} failed" + "".join(f"\n{name} is not tried" for name in untried))
     return 1 if failed or untried else 0
 
 

@@ -44,7 +44,7 @@ BAD_LINES = [
     (b'"\xc3"', "not JSON"),
     (b"\xff\xfe" + ZEROS, "not JSON"),
     (b'{"\xf0\x9f\x96": 0}', "not JSON"),
-    (b"[" * 1000, "nested more than 16 levels deep"),
+    (b"[" * 1000, "nested more than 8 levels deep"),
 ]
 TOO_LONG = (b"[" + b" " * (1 << 20) + b"]", "the line is longer than 1 MiB")
 

@@ -4,8 +4,8 @@
 #include <sstream>
 
 #include "fuzz_file.hpp"
-#include "json/json_lines.hpp"
 #include "support/small_profile.hpp"
+#include "uhas/json/json_lines.hpp"
 
 using namespace uhas;
 using namespace uhas::test;
@@ -24,8 +24,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
   std::istringstream in(text);
   std::ostringstream out;
-  tools::answer_json_lines(in, out, [&](const std::string& line) -> tools::Json {
-    const std::vector<double> action = tools::parse_action(line);
+  answer_json_lines(in, out, [&](const Json& value) -> Json {
+    const std::vector<double> action = tools::action_of(value);
     require(solver.solve({.values = action}, q) == Status::ok);
     return q;
   });

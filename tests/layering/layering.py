@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Checks that includes follow the arrows between the rooms of lib/uhas.
+"""Checks that includes follow the arrows between the rooms of lib/uhas, and that no text in lib names an option of the tools:
+errors name fields of the library, which the tools translate.
 
     layering.py SOURCE_FOLDER      exit 1 when a file in lib, tools or tests includes what its place must not
-    layering.py --self-test        exit 1 when one of the forbidden includes planted here goes unnoticed
+    layering.py --self-test        exit 1 when one of the forbidden includes and texts planted here goes unnoticed
 """
 
 import pathlib
@@ -24,18 +25,20 @@ ROOMS = {
     "kinematics": ["base", "profile"],
     "runtime": ["base", "profile", "kinematics"],
     "c": ["base", "profile", "profile_io", "runtime"],
+    "json": ["base", "files"],
     "model": ["base", "files", "fence", "profile"],
-    "anatomy": [*STAGE, "files"],
+    "anatomy": [*STAGE, "json"],
     "sphere_frame": [*STAGE, "anatomy"],
     "classification": [*STAGE, "anatomy", "sphere_frame"],
     "wrap": [*STAGE, "anatomy", "sphere_frame", "classification"],
     "lateral_tables": [*STAGE, "anatomy", "sphere_frame", "classification", "wrap"],
     "correspondences": [*STAGE, "anatomy", "sphere_frame"],
-    "profile_builder": [*STAGE, "anatomy", "sphere_frame", "classification", "wrap", "lateral_tables", "correspondences"],
+    "profile_builder": [*STAGE, "json", "anatomy", "sphere_frame", "classification", "wrap", "lateral_tables", "correspondences"],
     "geometry": ["base", "profile", "model"],
     "collision": [*STAGE, "runtime", "geometry"],
     "evaluation": [*STAGE, "runtime", "geometry", "collision"],
-    "report": [*STAGE, "profile_io", "runtime", "geometry"],
+    "trajectory": ["base", "files", "fence", "hdf5", "runtime", "json"],
+    "report": [*STAGE, "json", "profile_io", "runtime", "geometry"],
 }
 
 # The rooms that may include a library; every other library but C++'s and the system's own is for nobody in lib.
@@ -47,7 +50,7 @@ LIBRARIES = {
     "tinyxml": ["model"],
     "console_bridge": ["model"],
     "assimp": ["model", "report"],
-    "nlohmann": ["model", "anatomy", "profile_builder", "report"],
+    "nlohmann": ["json", "model"],
     "embree3": ["correspondences"],
     "embree4": ["correspondences"],
     "meshoptimizer": ["geometry"],
@@ -61,6 +64,8 @@ REFERENCE = "Doxyfile"  # describes the same headers
 
 SYSTEM = re.compile(r"[a-z0-9_]+|(?:sys/)?[a-z]+\.h")  # <vector>, <cstdint>; <unistd.h>, <sys/stat.h>
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]', re.MULTILINE)
+TEXT = re.compile(r'//[^\n]*|"((?:[^"\\\n]|\\.)*)"')  # a comment, or a text in the first group
+OPTION = re.compile(r"(?<!\S)--[a-z]")
 SOURCES = {".hpp", ".cpp", ".h", ".c"}
 
 
@@ -117,7 +122,7 @@ def public_headers(root):
 
 
 def problems(root):
-    """One line for each include against the arrows, and the number of files read."""
+    """One line for each include against the arrows and each text with an option, and the number of files read."""
     found, files = [], 0
     public = public_headers(root)
     found += [f"{PUBLIC_HEADERS}: there is no {header}" for header in public if not (root / "lib/uhas" / header).is_file()]
@@ -139,6 +144,11 @@ def problems(root):
                 if problem:
                     line = text.count("\n", 0, match.start(1)) + 1
                     found.append(f"{path.relative_to(root)}:{line}: {header}: {problem}")
+            for match in TEXT.finditer(text) if place == "lib" else ():
+                if OPTION.search(match[1] or ""):
+                    line = text.count("\n", 0, match.start()) + 1
+                    found.append(f"{path.relative_to(root)}:{line}: names an option: name the field, and word it in "
+                                 "tools/command_line/option_names.cpp")
     return found, files
 
 
@@ -184,9 +194,18 @@ PLANTED = [
 ]
 
 
+# a line of lib, whether it names an option of the tools in a text
+PLANTED_TEXTS = [
+    ('throw Error("raise it by --limit links=N");', True),
+    ('throw Error("a \\" quote; --limit links=N");', True),
+    ('// "--config" says so', False),
+    ('for (int i = 3; --i > 0;) names("x--y");', False),
+]
+
+
 def problems_of_planted(sample):
-    """What is said of a folder with this file in it, which includes that."""
-    file, include = sample
+    """What is said of a folder with this file in it, which has that line alone."""
+    file, line = sample
     with tempfile.TemporaryDirectory() as folder:
         root = pathlib.Path(folder)
         path, listed = root / file, root / "lib/uhas" / PLANTED_PUBLIC
@@ -194,13 +213,15 @@ def problems_of_planted(sample):
             parent.mkdir(parents=True, exist_ok=True)
         listed.touch()
         (root / PUBLIC_HEADERS).write_text(f"runtime {PLANTED_PUBLIC}\n")
-        path.write_text(f"// planted\n  #  include {include}\n", encoding="utf-8")
+        path.write_text(f"// planted\n{line}\n", encoding="utf-8")
         return problems(root)[0]
 
 
 def main():
     if sys.argv[1:] == ["--self-test"]:
-        return self_test([((file, include), forbidden) for file, include, forbidden in PLANTED], problems_of_planted)
+        lines = [((file, f"  #  include {include}"), forbidden) for file, include, forbidden in PLANTED]
+        texts = [(("lib/uhas/model/hand_model.cpp", text), forbidden) for text, forbidden in PLANTED_TEXTS]
+        return self_test(lines + texts, problems_of_planted)
     if len(sys.argv) != 2:
         print(__doc__, file=sys.stderr)
         return 2

@@ -4,6 +4,8 @@
 #include <array>
 #include <sstream>
 
+#include "command_line/limits.hpp"
+
 namespace uhas::tools {
 namespace {
 
@@ -23,15 +25,23 @@ std::string argument_of(const CLI::Option& option) {
 /// An argument is a file when it is called FILE or like one: hand.urdf, report.html.
 ArgumentKind kind_of(const std::string& argument) {
   if (argument.empty()) return ArgumentKind::none;
+  if (argument == kLimitArgument) return ArgumentKind::words;
   if (argument.find('|') != std::string::npos) return ArgumentKind::words;
   return argument == "FILE" || argument.find('.') != std::string::npos ? ArgumentKind::file : ArgumentKind::other;
+}
+
+std::vector<std::string> words_of(const std::string& argument) {
+  if (argument != kLimitArgument) return split(argument, '|');
+  std::vector<std::string> words;
+  for (const NamedLimit& limit : named_limits()) words.push_back(limit.name + std::string("="));
+  return words;
 }
 
 OptionDescription describe(const CLI::Option& option) {
   OptionDescription result;
   result.argument = argument_of(option);
   result.kind = kind_of(result.argument);
-  if (result.kind == ArgumentKind::words) result.words = split(result.argument, '|');
+  if (result.kind == ArgumentKind::words) result.words = words_of(result.argument);
   result.text = option.get_description();
   std::ranges::replace(result.text, '\n', ' ');
   result.required = option.get_required();
@@ -51,6 +61,7 @@ Json to_json(const OptionDescription& option) {
   result["names"] = option.names;
   result["argument"] = option.argument;
   result["kind"] = kinds[static_cast<std::size_t>(option.kind)];
+  result["words"] = option.words;
   result["text"] = option.text;
   result["required"] = option.required;
   result["repeatable"] = option.repeatable;
@@ -78,6 +89,8 @@ Json command_line_json(const CommandLine& command_line) {
   document["text"] = command_line.text;
   document["positionals"] = to_json(command_line.positionals);
   document["options"] = to_json(command_line.options);
+  document["limits"] = Json::object();
+  for (const NamedLimit& limit : named_limits()) document["limits"][limit.name] = Limits{}.*limit.value;
   return document;
 }
 

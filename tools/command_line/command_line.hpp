@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "json/json_text.hpp"
+#include "uhas/json/json_text.hpp"
 
 namespace uhas::tools {
 
@@ -16,7 +16,7 @@ struct OptionDescription {
   std::vector<std::string> names;  ///< "-o", "--output"; for a positional argument its one name, without dashes
   std::string argument;            ///< as --help shows it, "" for a flag: "FILE", "visual|collision|both", "N"
   ArgumentKind kind = ArgumentKind::none;
-  std::vector<std::string> words;  ///< of ArgumentKind::words
+  std::vector<std::string> words;  ///< of ArgumentKind::words; one that ends in '=' wants more behind it
   std::string text;                ///< one line
   bool required = false, repeatable = false;
 };

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "command_line/command_line.hpp"
-#include "tables/table.hpp"
+#include "text/words.hpp"
 
 namespace uhas::tools {
 namespace {
@@ -33,12 +33,21 @@ std::string function_name(const CommandLine& command_line) {
   return name;
 }
 
+/// Whether more follows the words of an option, as a value behind NAME=.
+bool wants_more(const OptionDescription& option) { return option.words.front().ends_with('='); }
+
+/// How zsh completes one of a few words.
+std::string zsh_words(const OptionDescription& option) {
+  const std::string words = join(option.words, " ");
+  return wants_more(option) ? "{compadd -S \"\" -- " + words + "}" : "(" + words + ")";
+}
+
 /// How zsh completes an argument: message and action.
 std::string zsh_argument(const OptionDescription& option) {
   const std::string message = ":" + escaped(option.argument, ":\\");
   switch (option.kind) {
     case ArgumentKind::none: return "";
-    case ArgumentKind::words: return message + ":(" + join(option.words, " ") + ")";
+    case ArgumentKind::words: return message + ":" + zsh_words(option);
     case ArgumentKind::file: return message + ":_files";
     case ArgumentKind::other: break;
   }
@@ -75,7 +84,8 @@ std::string bash_completion(const CommandLine& command_line) {
     if (option.kind == ArgumentKind::none) continue;
     script << "    " << join(option.names, " | ") << ") ";
     if (option.kind == ArgumentKind::words)
-      script << "COMPREPLY=($(compgen -W " << quoted(join(option.words, " ")) << " -- \"$word\")); ";
+      script << (wants_more(option) ? "compopt -o nospace; " : "") << "COMPREPLY=($(compgen -W "
+             << quoted(join(option.words, " ")) << " -- \"$word\")); ";
     if (option.kind == ArgumentKind::other) script << "compopt +o default; ";
     script << "return ;;\n";
   }

@@ -7,8 +7,8 @@
 
 #include "command_line/command_line.hpp"
 #include "command_line/library_versions.hpp"
-#include "command_line/limits.hpp"
-#include "command_line/terminal.hpp"
+#include "command_line/option_names.hpp"
+#include "text/terminal.hpp"
 #include "uhas/base/errors.hpp"
 #include "uhas/profile/hand_profile.hpp"
 
@@ -42,6 +42,7 @@ Tool::Tool(std::string name, int argc, char** argv)
 void Tool::parse() {
   // added last, so that --help lists them after the tool's own options
   app_.option_defaults()->group("Common options");
+  add_limit_option(app_, limits_);
   app_.add_flag("--json", json_, "Print the result as JSON");
   app_.add_flag("--quiet", quiet_, "Print no warnings and no progress");
   app_.add_flag("--verbose", verbose_, "Say on stderr what is being done");
@@ -49,9 +50,6 @@ void Tool::parse() {
       "--version", [this] { return version_text(name_, verbose_); },
       "Print the version and exit; with --verbose those of the libraries, too");
   app_.set_help_flag("-h,--help", "Print this help and exit");
-  add_limit(app_, "--max-read-seconds", child_limits_.max_seconds, "End the reading of a file that takes longer");
-  add_limit(app_, "--max-read-bytes", child_limits_.max_memory_bytes,
-            "End the reading of a file that takes more memory");
   app_.footer("Exit codes: 0 done, 1 the input or the run failed, 2 wrong usage.");
   if (argc_ == 3 && std::string_view(argv_[1]) == "--describe") {  // for the build and the tests; not in --help
     const std::string text = description(app_, argv_[2]);
@@ -98,7 +96,7 @@ int run_tool(const std::string& name, int argc, char** argv, const std::function
   } catch (const std::bad_alloc&) {
     tool.report_error("out of memory");
   } catch (const std::exception& error) {
-    tool.report_error(error.what());
+    tool.report_error(with_option_names(error.what()));
   }
   return static_cast<int>(code);
 }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "command_line/exit_code.hpp"
-#include "uhas/fence/child_process.hpp"
+#include "command_line/limits.hpp"
 
 namespace uhas::tools {
 
@@ -21,16 +21,15 @@ class Tool {
   /// The command line, for the options of this tool.
   CLI::App& options() { return app_; }
 
-  /// Adds --json, --quiet, --verbose, --version, --help and the limits of child processes, then reads the command line
-  /// into the variables the options were bound to. Throws CLI::ParseError.
+  /// Adds --limit, --json, --quiet, --verbose, --version and --help, then reads the command line into the variables the
+  /// options were bound to. Throws CLI::ParseError.
   void parse();
 
   bool json() const { return json_; }
   bool quiet() const { return quiet_; }
   bool verbose() const { return verbose_; }
 
-  /// For the child processes that read what others wrote: URDFs, meshes, profiles.
-  const ChildLimits& child_limits() const { return child_limits_; }
+  const Limits& limits() const { return limits_; }
 
   /// `name: warning: text` on stderr for each, unless --quiet.
   void warn(std::span<const std::string> warnings) const;
@@ -50,7 +49,7 @@ class Tool {
   int argc_;
   char** argv_;
   bool json_ = false, quiet_ = false, verbose_ = false;
-  ChildLimits child_limits_;
+  Limits limits_;
 };
 
 /// Runs `body`, which adds its options, parses, does the work and prints. An exception becomes one line on stderr.

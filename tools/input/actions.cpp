@@ -100,8 +100,8 @@ SolveOptions convention_named(const Json& name, const Place& place) {
 
 }  // namespace
 
-ActionsDocument read_actions(const std::string& path, const ActionsLimits& limits) {
-  const Json json = read_json_file(path, limits.max_json_bytes);
+ActionsDocument read_actions(const std::string& path, const Limits& limits) {
+  const Json json = read_json_file(path, limits.json_bytes, "split it, or " + raise_limit(&Limits::json_bytes));
   const Place place{path, ""};
   if (!json.is_object() || json.value("format", Json()) != "uhas-actions")
     throw place.error("is not a file of actions: no \"format\": \"uhas-actions\"", "see schemas/actions.schema.json");
@@ -128,11 +128,11 @@ ActionsDocument read_actions(const std::string& path, const ActionsLimits& limit
 
   if (!json.contains("actions") || !json["actions"].is_array())
     throw place.error("actions is missing or not an array", "write \"actions\": [[15 numbers], ...]");
-  if (const std::size_t count = json["actions"].size(); count > limits.max_actions)
+  if (const std::size_t count = json["actions"].size(); count > limits.actions)
     throw Error(ErrorCode::limit_exceeded, path,
-                "has " + std::to_string(count) + " actions, more than the bound of " +
-                    std::to_string(limits.max_actions) + " for a file",
-                "stream them through uhas-solve -, which takes any number, or raise the bound by --max-actions");
+                "has " + std::to_string(count) + " actions, more than the bound of " + std::to_string(limits.actions) +
+                    " for a file",
+                "stream them through uhas-solve -, which takes any number, or " + raise_limit(&Limits::actions));
   std::size_t size = action_size_for(document.driving_vectors_phi, place);
   for (const Json& value : json["actions"]) {
     const Place here{path, "action " + std::to_string(document.actions.size())};
@@ -146,6 +146,6 @@ ActionsDocument read_actions(const std::string& path, const ActionsLimits& limit
   return document;
 }
 
-std::vector<double> parse_action(std::string_view line) { return to_action(parse_json(line, ""), {"", "action"}); }
+std::vector<double> action_of(const Json& value) { return to_action(value, {"", "action"}); }
 
 }  // namespace uhas::tools

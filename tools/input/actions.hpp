@@ -3,10 +3,10 @@
 
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "json/json_text.hpp"
+#include "command_line/limits.hpp"
+#include "uhas/json/json_text.hpp"
 #include "uhas/runtime/cascade_solver.hpp"
 
 namespace uhas::tools {
@@ -29,16 +29,10 @@ struct ActionsDocument {
   Action<double> action(std::size_t index) const { return {actions[index], driving_vectors_phi, normalized}; }
 };
 
-/// What a file of actions may have at most.
-struct ActionsLimits {
-  std::uint64_t max_json_bytes = kMaxJsonBytes;
-  std::uint64_t max_actions = 1'000'000;
-};
-
 /// Throws Error: file_unreadable, limit_exceeded, syntax, invalid_action naming the file and the action.
-ActionsDocument read_actions(const std::string& path, const ActionsLimits& limits = {});
+ActionsDocument read_actions(const std::string& path, const Limits& limits = {});
 
-/// The action in one line of JSON Lines: an array or an object. Throws Error: syntax, invalid_action.
-std::vector<double> parse_action(std::string_view line);
+/// The action that `value`, an array or an object, is. Throws Error(invalid_action).
+std::vector<double> action_of(const Json& value);
 
 }  // namespace uhas::tools

@@ -1,6 +1,5 @@
 #include "input/hand_input.hpp"
 
-#include "command_line/limits.hpp"
 #include "command_line/progress.hpp"
 
 namespace uhas::tools {
@@ -10,7 +9,6 @@ void add_hand_options(CLI::App& app, HandInput& input) {
   app.add_option("--config", input.config_file, "Hand config (JSON) that overrides what would be inferred")
       ->type_name("FILE");
   add_load_options(app, input.settings.load);
-  add_limit(app, "--max-config-bytes", input.max_config_bytes, "Refuse a larger hand config");
   add_choice<GeometrySource>(
       app, "--geometry", input.settings.load.geometry,
       {{"visual", GeometrySource::visual}, {"collision", GeometrySource::collision}, {"both", GeometrySource::both}},
@@ -37,11 +35,6 @@ void add_load_options(CLI::App& app, ModelLoadOptions& load) {
       ->option_text("NAME=DIR");
   app.add_flag("--allow-outside", load.allow_outside,
                "Read meshes outside the folder of the model and of its packages, too");
-  add_limit(app, "--max-urdf-bytes", load.max_urdf_bytes, "Refuse a larger URDF");
-  add_limit(app, "--max-links", load.max_links, "Refuse a model of more links")
-      ->check(CLI::Range(1, 10'000).description(""));  // as many in a chain leave urdfdom's stack room
-  add_limit(app, "--max-mesh-bytes", load.max_mesh_bytes, "Refuse a larger mesh file");
-  add_limit(app, "--max-triangles", load.max_triangles, "Refuse a hand of more triangles");
 }
 
 void add_lateral_options(CLI::App& app, LateralTableOptions& options) {
@@ -60,8 +53,9 @@ void add_surface_options(CLI::App& app, CorrespondenceOptions& options) {
 }
 
 BuildStages run_stages(const Tool& tool, HandInput& input, BuildStage last) {
-  input.settings.load.in_child = tool.child_limits();
-  if (!input.config_file.empty()) input.settings.config = read_hand_config(input.config_file, input.max_config_bytes);
+  tool.limits().apply_to(input.settings.load);
+  if (!input.config_file.empty())
+    input.settings.config = read_hand_config(input.config_file, tool.limits().config_bytes);
   BuildStages stages;
   {
     Progress progress(tool, static_cast<int>(last) + 1);

@@ -12,14 +12,13 @@ namespace uhas::tools {
 struct HandInput {
   std::string urdf;
   std::string config_file;  ///< hand config; empty = infer everything
-  std::uint64_t max_config_bytes = kMaxHandConfigBytes;
   BuildSettings settings;
 };
 
-/// hand.urdf, --config and its bound, those of `add_load_options`, --geometry, --radius-scale, --merge-pinky.
+/// hand.urdf, --config, those of `add_load_options`, --geometry, --radius-scale, --merge-pinky.
 void add_hand_options(CLI::App& app, HandInput& input);
 
-/// --package NAME=DIR, repeatable, --allow-outside, and the bounds of LoadOptions.
+/// --package NAME=DIR, repeatable, and --allow-outside.
 void add_load_options(CLI::App& app, ModelLoadOptions& load);
 
 /// --lateral-steps N.

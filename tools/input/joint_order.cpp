@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "tables/table.hpp"
+#include "text/words.hpp"
 #include "uhas/base/errors.hpp"
 
 namespace uhas::tools {

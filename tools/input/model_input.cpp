@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "input/hand_input.hpp"
-#include "tables/profile_check.hpp"
+#include "input/profile_check.hpp"
 #include "uhas/base/errors.hpp"
 #include "uhas/files/sha256.hpp"
 #include "uhas/profile_builder/settings_json.hpp"

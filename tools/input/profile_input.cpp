@@ -5,7 +5,7 @@
 namespace uhas::tools {
 
 HandProfile read_profile(const Tool& tool, const std::string& path) {
-  return read_untrusted_profile(path, tool.child_limits());
+  return read_untrusted_profile(path, tool.limits().child());
 }
 
 }  // namespace uhas::tools

@@ -8,7 +8,7 @@
 
 namespace uhas::tools {
 
-/// As `read_untrusted_profile`, under the tool's limits.
+/// As `read_untrusted_profile`, within the tool's limits.
 HandProfile read_profile(const Tool& tool, const std::string& path);
 
 }  // namespace uhas::tools

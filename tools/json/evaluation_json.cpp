@@ -1,6 +1,8 @@
+#include "json/evaluation_json.hpp"
+
 #include <cmath>
 
-#include "json/evaluation_report.hpp"
+#include "text/words.hpp"
 
 namespace uhas::tools {
 namespace {
@@ -29,12 +31,9 @@ Json to_json(const InputReach& reach) {
 Json reach_json(const HandProfile& profile, const ReachScore& score) {
   Json fingers = Json::array(), clamped = Json::array();
   for (std::size_t f = 0; f < profile.fingers.size(); ++f) {
-    Json slots = Json::array();
-    for (int slot = 0; slot < kSlotCount; ++slot)
-      if (profile.fingers[f].slots[slot]) slots.push_back(slot);
     const FingerReach& finger = score.fingers[f];
     fingers.push_back({{"finger", profile.fingers[f].name},
-                       {"slots", slots},
+                       {"slots", slot_numbers(profile.fingers[f].slots)},
                        {"delta_theta", to_json(finger.azimuth)},
                        {"delta_r_0", to_json(finger.radial[0])},
                        {"delta_r_1", to_json(finger.radial[1])},

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "json/json_text.hpp"
+#include "uhas/json/json_text.hpp"
 
 namespace uhas::tools {
 

@@ -1,8 +1,9 @@
+#include "json/profile_summary_json.hpp"
+
 #include <algorithm>
 
-#include "json/profile_summary.hpp"
 #include "json/stage_json.hpp"
-#include "tables/names.hpp"
+#include "text/words.hpp"
 #include "uhas/kinematics/forward_kinematics.hpp"
 
 namespace uhas::tools {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tables/names.hpp"
+#include "text/words.hpp"
 
 namespace uhas::tools {
 namespace {

@@ -1,7 +1,7 @@
 // What the single stages found, as JSON documents (schemas/).
 #pragma once
 
-#include "json/json_text.hpp"
+#include "uhas/json/json_text.hpp"
 #include "uhas/profile_builder/build_stages.hpp"
 
 namespace uhas::tools {

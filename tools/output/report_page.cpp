@@ -1,7 +1,7 @@
 #include "output/report_page.hpp"
 
-#include "json/profile_summary.hpp"
-#include "tables/table.hpp"
+#include "json/profile_summary_json.hpp"
+#include "text/words.hpp"
 
 namespace uhas::tools {
 

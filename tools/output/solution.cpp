@@ -4,7 +4,7 @@
 
 #include "command_line/tool.hpp"
 #include "input/collision_input.hpp"
-#include "tables/table.hpp"
+#include "text/words.hpp"
 
 namespace uhas::tools {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "input/model_input.hpp"
-#include "json/json_text.hpp"
 #include "uhas/collision/collision_free_solver.hpp"
+#include "uhas/json/json_text.hpp"
 
 namespace uhas::tools {
 

@@ -1,3 +1,5 @@
+#include "tables/evaluation_table.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -5,8 +7,9 @@
 #include <numbers>
 #include <ostream>
 
-#include "json/evaluation_report.hpp"
-#include "tables/table.hpp"
+#include "text/numbers.hpp"
+#include "text/table.hpp"
+#include "text/words.hpp"
 
 namespace uhas::tools {
 namespace {

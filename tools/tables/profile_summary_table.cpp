@@ -1,10 +1,13 @@
+#include "tables/profile_summary_table.hpp"
+
 #include <algorithm>
 #include <ostream>
 
-#include "json/profile_summary.hpp"
-#include "tables/findings.hpp"
-#include "tables/names.hpp"
-#include "tables/table.hpp"
+#include "json/profile_summary_json.hpp"
+#include "text/numbers.hpp"
+#include "text/table.hpp"
+#include "text/terminal.hpp"
+#include "text/words.hpp"
 
 namespace uhas::tools {
 namespace {

@@ -3,22 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <span>
 #include <string_view>
 
 #include "uhas/anatomy/nearest_name.hpp"
 #include "uhas/base/errors.hpp"
-#include "uhas/files/file_bytes.hpp"
+#include "uhas/json/json_text.hpp"
 
 namespace uhas {
 namespace {
 
-using nlohmann::json;
-
 constexpr const char* kFormat = "uhas-hand-config";
 constexpr int kVersion = 1;
-constexpr int kMaxDepth = 8;
 constexpr std::array<std::string_view, 13> kKeys = {
     "format",        "version",    "comment", "palm_link", "palm_normal_in_root", "fingers", "fingertips", "thumb",
     "middle_finger", "handedness", "q_open",  "q_closed",  "joint_limits"};
@@ -27,7 +23,7 @@ constexpr std::array<std::string_view, 3> kFingertipKeys = {"link", "point", "pa
 /// Reads the keys of one document; every problem is an Error that names the file and the key.
 class ConfigReader {
  public:
-  ConfigReader(const json& document, const std::string& file) : document_(document), file_(file) {
+  ConfigReader(const Json& document, const std::string& file) : document_(document), file_(file) {
     if (!document.is_object()) refuse("not a JSON object", "");
     check_keys(document, kKeys, "");
     check_format();
@@ -37,7 +33,7 @@ class ConfigReader {
     HandConfig config;
     config.file = file_;
     if (const std::string palm_link = read_string("palm_link"); !palm_link.empty()) config.palm_link = palm_link;
-    if (const json* normal = find("palm_normal_in_root"))
+    if (const Json* normal = find("palm_normal_in_root"))
       config.palm_normal_in_root = to_direction(*normal, "\"palm_normal_in_root\"");
     config.fingers = read_fingers();
     config.fingertips = read_fingertips();
@@ -58,23 +54,23 @@ class ConfigReader {
     throw Error(ErrorCode::invalid_config, file_, problem, remedy);
   }
 
-  void check_keys(const json& object, std::span<const std::string_view> known, const std::string& place) const {
+  void check_keys(const Json& object, std::span<const std::string_view> known, const std::string& place) const {
     for (const auto& [key, value] : object.items())
       if (std::ranges::find(known, key) == known.end())
         refuse(place + "unknown key \"" + key + "\"", did_you_mean(key, known));
   }
 
   void check_format() const {
-    if (const json* format = find("format"); format && *format != kFormat)
+    if (const Json* format = find("format"); format && *format != kFormat)
       refuse("\"format\" is not \"" + std::string(kFormat) + "\"", "give a hand config");
-    if (const json* version = find("version"); version && *version != kVersion)
+    if (const Json* version = find("version"); version && *version != kVersion)
       throw Error(ErrorCode::unsupported_version, file_,
                   "hand config version " + version->dump() + ", this program reads version " + std::to_string(kVersion),
                   "");
   }
 
   /// The value at `key`; null pointer when the key is absent.
-  const json* find(const char* key) const {
+  const Json* find(const char* key) const {
     const auto entry = document_.find(key);
     return entry == document_.end() ? nullptr : &*entry;
   }
@@ -84,18 +80,18 @@ class ConfigReader {
     return quoted(key) + ": joint " + quoted(joint);
   }
 
-  std::string to_name(const json& value, const std::string& what) const {
+  std::string to_name(const Json& value, const std::string& what) const {
     if (!value.is_string()) refuse(what + " is not a string", "");
     return value.get<std::string>();
   }
 
-  double to_number(const json& value, const std::string& what) const {
+  double to_number(const Json& value, const std::string& what) const {
     if (!value.is_number() || !std::isfinite(value.get<double>())) refuse(what + " has no finite number", "");
     return value.get<double>();
   }
 
-  Vector3d to_vector(const json& value, const std::string& what) const {
-    const auto is_number = [](const json& component) { return component.is_number(); };
+  Vector3d to_vector(const Json& value, const std::string& what) const {
+    const auto is_number = [](const Json& component) { return component.is_number(); };
     if (!value.is_array() || value.size() != 3 || !std::ranges::all_of(value, is_number))
       refuse(what + " is not a vector", "give three numbers, [x, y, z]");
     const Vector3d vector{value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
@@ -103,13 +99,13 @@ class ConfigReader {
     return vector;
   }
 
-  Vector3d to_direction(const json& value, const std::string& what) const {
+  Vector3d to_direction(const Json& value, const std::string& what) const {
     const Vector3d direction = to_vector(value, what);
     if (!(norm(direction) > 0)) refuse(what + " has no direction", "give a vector that is not zero");
     return direction;
   }
 
-  StatedLimits to_limits(const json& value, const std::string& what) const {
+  StatedLimits to_limits(const Json& value, const std::string& what) const {
     if (!value.is_array() || value.size() != 2) refuse(what + " has no limits", "give two numbers, [lower, upper]");
     const StatedLimits limits{to_number(value[0], what), to_number(value[1], what)};
     if (!(limits.lower < limits.upper)) refuse(what + ": the lower limit is not below the upper", "");
@@ -118,7 +114,7 @@ class ConfigReader {
 
   /// The string at `key`; empty when the key is absent.
   std::string read_string(const char* key) const {
-    const json* value = find(key);
+    const Json* value = find(key);
     return value ? to_name(*value, quoted(key)) : std::string();
   }
 
@@ -133,7 +129,7 @@ class ConfigReader {
 
   /// A joint's name; "" for null, which says that there is no such finger.
   std::optional<std::string> read_finger_name(const char* key) const {
-    const json* value = find(key);
+    const Json* value = find(key);
     if (!value) return std::nullopt;
     if (value->is_null()) return std::string();
     if (!value->is_string() || value->get<std::string>().empty())
@@ -143,26 +139,26 @@ class ConfigReader {
 
   std::vector<std::vector<std::string>> read_fingers() const {
     std::vector<std::vector<std::string>> fingers;
-    const json* list = find("fingers");
+    const Json* list = find("fingers");
     if (!list) return fingers;
-    const auto is_list = [](const json& value) { return value.is_array() && !value.empty(); };
+    const auto is_list = [](const Json& value) { return value.is_array() && !value.empty(); };
     if (!is_list(*list) || !std::ranges::all_of(*list, is_list))
       refuse("\"fingers\" is not a list of lists", "list the joints of each finger, root to tip");
-    for (const json& chain : *list) {
+    for (const Json& chain : *list) {
       std::vector<std::string>& finger = fingers.emplace_back();
-      for (const json& joint : chain) finger.push_back(to_name(joint, "a joint in \"fingers\""));
+      for (const Json& joint : chain) finger.push_back(to_name(joint, "a joint in \"fingers\""));
     }
     return fingers;
   }
 
   std::vector<StatedFingertip> read_fingertips() const {
     std::vector<StatedFingertip> fingertips;
-    const json* list = find("fingertips");
+    const Json* list = find("fingertips");
     if (!list) return fingertips;
-    const auto is_object = [](const json& value) { return value.is_object(); };
+    const auto is_object = [](const Json& value) { return value.is_object(); };
     if (!list->is_array() || !std::ranges::all_of(*list, is_object))
       refuse("\"fingertips\" is not a list of objects", "give [{\"link\": ...}, ...]");
-    for (const json& value : *list) {
+    for (const Json& value : *list) {
       check_keys(value, kFingertipKeys, "\"fingertips\": ");
       if (!value.contains("link")) refuse("\"fingertips\": an element has no \"link\"", "name the link of the tip");
       StatedFingertip& tip = fingertips.emplace_back();
@@ -174,14 +170,14 @@ class ConfigReader {
     return fingertips;
   }
 
-  std::map<std::string, json> read_joint_map(const char* key) const {
-    const json* object = find(key);
+  std::map<std::string, Json> read_joint_map(const char* key) const {
+    const Json* object = find(key);
     if (!object) return {};
     if (!object->is_object()) refuse(quoted(key) + " is not an object", "map joint names to values");
-    return object->get<std::map<std::string, json>>();
+    return object->get<std::map<std::string, Json>>();
   }
 
-  const json& document_;
+  const Json& document_;
   const std::string& file_;
 };
 
@@ -194,12 +190,10 @@ const char* name_of(Handedness handedness) {
   return "none";
 }
 
-json to_json(Vector3d v) { return {v.x, v.y, v.z}; }
+Json to_json(const std::string& finger_name) { return finger_name.empty() ? Json(nullptr) : Json(finger_name); }
 
-json to_json(const std::string& finger_name) { return finger_name.empty() ? json(nullptr) : json(finger_name); }
-
-json to_json(const StatedFingertip& tip) {
-  json object = {{"link", tip.link}};
+Json to_json(const StatedFingertip& tip) {
+  Json object = {{"link", tip.link}};
   if (tip.point) object["point"] = to_json(*tip.point);
   if (tip.pad_normal) object["pad_normal"] = to_json(*tip.pad_normal);
   return object;
@@ -214,31 +208,16 @@ std::string doubt(const HandFinding& finding) {
 }
 
 HandConfig read_hand_config(const std::string& path, std::uint64_t max_bytes) {
-  const std::vector<std::byte> bytes =
-      read_file(path, max_bytes, "make sure that it is a hand config, or raise the bound by --max-config-bytes");
-  return parse_hand_config({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path);
+  const char* remedy = "make sure that it is a hand config, or raise the max_bytes of read_hand_config";
+  return ConfigReader(read_json_file(path, max_bytes, remedy), path).read();
 }
 
 HandConfig parse_hand_config(const std::string& text, const std::string& file) {
-  json document;
-  try {
-    document = json::parse(text, [&file](int depth, json::parse_event_t, const json&) {
-      if (depth > kMaxDepth)
-        throw Error(ErrorCode::syntax, file, "nested too deeply for a hand config", "use fewer levels");
-      return true;
-    });
-  } catch (const json::parse_error& error) {
-    const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-    const auto line = 1 + std::count(text.begin(), end, '\n');
-    throw Error(ErrorCode::syntax, file + ":" + std::to_string(line), "not valid JSON", "correct the syntax");
-  } catch (const json::exception&) {
-    throw Error(ErrorCode::invalid_config, file, "a number is beyond the range of double", "correct it");
-  }
-  return ConfigReader(document, file).read();
+  return ConfigReader(parse_json(text, file), file).read();
 }
 
 std::string to_canonical_json(const HandConfig& config) {
-  json document = json::object();  // nlohmann::json keeps keys sorted
+  Json document = Json::object();
   if (config.palm_link) document["palm_link"] = *config.palm_link;
   if (config.palm_normal_in_root) document["palm_normal_in_root"] = to_json(*config.palm_normal_in_root);
   if (!config.fingers.empty()) document["fingers"] = config.fingers;
@@ -250,7 +229,7 @@ std::string to_canonical_json(const HandConfig& config) {
   if (!config.q_closed.empty()) document["q_closed"] = config.q_closed;
   for (const auto& [joint, limits] : config.joint_limits)
     document["joint_limits"][joint] = {limits.lower, limits.upper};
-  return document.dump();
+  return to_canonical_text(document);
 }
 
 }  // namespace uhas

@@ -117,13 +117,13 @@ constexpr const char* kDoNotTrust = "do not trust the file";
 
 Error too_long(const ChildLimits& limits, const std::string& file) {
   return {ErrorCode::limit_exceeded, file, "cannot be read within " + std::to_string(limits.max_seconds) + " s",
-          std::string(kDoNotTrust) + ", or raise the bound by --max-read-seconds"};
+          std::string(kDoNotTrust) + ", or raise ChildLimits::max_seconds"};
 }
 
 Error too_much(const ChildLimits& limits, const std::string& file) {
   return {ErrorCode::limit_exceeded, file,
           "cannot be read within " + std::to_string(limits.max_memory_bytes) + " bytes of memory",
-          std::string(kDoNotTrust) + ", or raise the bound by --max-read-bytes"};
+          std::string(kDoNotTrust) + ", or raise ChildLimits::max_memory_bytes"};
 }
 
 }  // namespace

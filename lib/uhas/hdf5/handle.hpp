@@ -30,16 +30,17 @@ class Hdf5Handle {
  public:
   using Close = herr_t (*)(hid_t);
 
-  Hdf5Handle(hid_t id, Close close) : id_(id), close_(close) {}
+  Hdf5Handle(hid_t id, Close closed_by) : id_(id), close_(closed_by) {}
   Hdf5Handle(Hdf5Handle&& other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
   Hdf5Handle(const Hdf5Handle&) = delete;
   Hdf5Handle& operator=(const Hdf5Handle&) = delete;
-  ~Hdf5Handle() {
-    if (valid()) close_(id_);
-  }
+  ~Hdf5Handle() { close(); }
 
   bool valid() const { return id_ >= 0; }
   hid_t id() const { return id_; }
+
+  /// Now rather than later, to learn whether it succeeds.
+  bool close() { return !valid() || close_(std::exchange(id_, H5I_INVALID_HID)) >= 0; }
 
  private:
   hid_t id_;

@@ -206,7 +206,7 @@ void build_tree(const Urdf& urdf, const std::vector<OrderedLink>& order, const s
 
 std::vector<std::byte> read_urdf_file(const std::string& urdf_path, const ModelLoadOptions& options) {
   return read_file(urdf_path, options.max_urdf_bytes,
-                   "cut the hand out of its robot or raise the bound by --max-urdf-bytes");
+                   "cut the hand out of its robot or raise ModelLoadOptions::max_urdf_bytes");
 }
 
 HandModel load_hand_model(const std::string& urdf_path, const ModelLoadOptions& options) {

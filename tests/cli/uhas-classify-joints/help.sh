@@ -15,17 +15,8 @@ uhas-classify-joints --help
 #>   --merge-pinky               Five fingers: pinky and ring share the mean of their two slots
 #>
 #>
-#> Limits:
-#>   --max-urdf-bytes N          Refuse a larger URDF [16777216]
-#>   --max-links N               Refuse a model of more links [2000]
-#>   --max-mesh-bytes N          Refuse a larger mesh file [536870912]
-#>   --max-triangles N           Refuse a hand of more triangles [20000000]
-#>   --max-config-bytes N        Refuse a larger hand config [1048576]
-#>   --max-read-seconds N        End the reading of a file that takes longer [60]
-#>   --max-read-bytes N          End the reading of a file that takes more memory [4294967296]
-#>
-#>
 #> Common options:
+#>   --limit NAME=N              Refuse what is larger, for example mesh-bytes=1G; repeatable, uhas(7) has the names
 #>   --json                      Print the result as JSON
 #>   --quiet                     Print no warnings and no progress
 #>   --verbose                   Say on stderr what is being done

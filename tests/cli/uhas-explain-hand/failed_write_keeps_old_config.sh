@@ -5,4 +5,4 @@ cat hand.json
 exit $code
 #? 1
 #> old
-#2> uhas-explain-hand: error: hand.json:1: not valid JSON; correct the syntax
+#2> uhas-explain-hand: error: hand.json:1: not JSON: syntax error while parsing value - invalid literal; last read: 'o'; correct the syntax

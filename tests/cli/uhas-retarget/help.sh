@@ -12,14 +12,8 @@ uhas-retarget --help
 #>   --driving-vectors N         Driving vectors in each plane; more follow the first hand more closely [2]
 #>
 #>
-#> Limits:
-#>   --max-json-bytes N          Refuse a larger trajectory in .json [67108864]
-#>   --max-hdf5-bytes N          Refuse an HDF5 trajectory of more bytes, unpacked [4294967296]
-#>   --max-read-seconds N        End the reading of a file that takes longer [60]
-#>   --max-read-bytes N          End the reading of a file that takes more memory [4294967296]
-#>
-#>
 #> Common options:
+#>   --limit NAME=N              Refuse what is larger, for example mesh-bytes=1G; repeatable, uhas(7) has the names
 #>   --json                      Print the result as JSON
 #>   --quiet                     Print no warnings and no progress
 #>   --verbose                   Say on stderr what is being done

@@ -24,18 +24,8 @@ uhas-solve --help
 #>   --allow-outside             Read meshes outside the folder of the model and of its packages, too
 #>
 #>
-#> Limits:
-#>   --max-urdf-bytes N          Refuse a larger URDF [16777216]
-#>   --max-links N               Refuse a model of more links [2000]
-#>   --max-mesh-bytes N          Refuse a larger mesh file [536870912]
-#>   --max-triangles N           Refuse a hand of more triangles [20000000]
-#>   --max-json-bytes N          Refuse a larger file of actions [67108864]
-#>   --max-actions N             Refuse a file of more actions; a stream may have any number [1000000]
-#>   --max-read-seconds N        End the reading of a file that takes longer [60]
-#>   --max-read-bytes N          End the reading of a file that takes more memory [4294967296]
-#>
-#>
 #> Common options:
+#>   --limit NAME=N              Refuse what is larger, for example mesh-bytes=1G; repeatable, uhas(7) has the names
 #>   --json                      Print the result as JSON
 #>   --quiet                     Print no warnings and no progress
 #>   --verbose                   Say on stderr what is being done

@@ -132,8 +132,8 @@ TEST_CASE("a process that may open no more files says so") {
 
 TEST_CASE("boundless memory is refused") {
   check_error(ErrorCode::limit_exceeded,
-              "some.file: cannot be read within 67108864 bytes of memory; do not trust the file, or raise the bound by "
-              "--max-read-bytes",
+              "some.file: cannot be read within 67108864 bytes of memory; do not trust the file, or raise "
+              "ChildLimits::max_memory_bytes",
               [] { run([] { return Bytes(256u << 20); }, {.max_memory_bytes = 64u << 20}); });
 }
 #endif

@@ -63,7 +63,7 @@ TEST_CASE("a package is found by the option, by ROS_PACKAGE_PATH and above the U
   const std::string reference = "package://my_hand/meshes/a.stl";
   unsetenv("ROS_PACKAGE_PATH");
   check_error([&] { load_with_mesh(folder, reference); }, ErrorCode::file_unreadable,
-              {"hand.urdf", "package://my_hand/meshes/a.stl", "--package my_hand=DIR"});
+              {"hand.urdf", "package://my_hand/meshes/a.stl", "ModelLoadOptions::packages"});
 
   // beside the URDF's folder, then around it
   folder.write("my_hand/meshes/a.stl", ascii_stl());
@@ -102,7 +102,7 @@ TEST_CASE("a mesh outside the folder of the model is refused, unless its package
   const std::string outside = elsewhere.write("meshes/a.stl", ascii_stl());
   const auto refused = [&](const std::string& reference, const std::string& urdf) {
     check_error([&] { load_with_mesh(folder, reference, {}, urdf); }, ErrorCode::file_unreadable,
-                {urdf, "the mesh " + reference + " lies outside", "--package", "--allow-outside"});
+                {urdf, "the mesh " + reference + " lies outside", "ModelLoadOptions::packages", "ModelLoadOptions::allow_outside"});
   };
   folder.write("a.stl", ascii_stl());
   folder.write("model/a.stl", ascii_stl());

@@ -93,5 +93,5 @@ TEST_CASE("a bound on the triangles names the option that raises it") {
   CHECK(read(text, 3).triangles.size() == 3);
   check_error(
       [&] { read(text, 2); }, ErrorCode::limit_exceeded,
-      {"a.ply: the mesh has more triangles than the bound of 2 for a hand; ", "raise the bound by --max-triangles"});
+      {"a.ply: the mesh has more triangles than the bound of 2 for a hand; ", "raise ModelLoadOptions::max_triangles"});
 }

@@ -74,7 +74,7 @@ TEST_CASE("a file above the bound on its size") {
   ModelLoadOptions options;
   options.max_urdf_bytes = 10;
   check_error([&] { load(one_finger(), options); }, ErrorCode::limit_exceeded,
-              {"more than the bound of 10", "--max-urdf-bytes"});
+              {"more than the bound of 10", "raise ModelLoadOptions::max_urdf_bytes"});
 }
 
 TEST_CASE("more links than any robot has") {
@@ -84,7 +84,7 @@ TEST_CASE("more links than any robot has") {
   ModelLoadOptions options;
   options.max_links = 19;
   check_error([&] { load(robot(links), options); }, ErrorCode::limit_exceeded,
-              {"20 links, more than the bound of 19", "--max-links"});
+              {"20 links, more than the bound of 19", "raise ModelLoadOptions::max_links"});
 }
 
 TEST_CASE("a long chain of links, for which urdfdom needs more stack than there is") {

@@ -36,7 +36,7 @@ void check(RTCDevice device) {
   const std::string reason =
       error == RTC_ERROR_OUT_OF_MEMORY ? "out of memory" : "Embree error " + std::to_string(error);
   throw Error(ErrorCode::invalid_mesh, "", "the meshes cannot be prepared for ray casting: " + reason,
-              "use simpler meshes, for example with --geometry collision");
+              "use simpler meshes, for example those of GeometrySource::collision");
 }
 
 /// Three numbers an element, owned by the geometry.

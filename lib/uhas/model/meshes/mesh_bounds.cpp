@@ -19,13 +19,13 @@ void require_within_bounds(std::uint64_t triangles, std::uint64_t vertices, std:
     throw Error(
         ErrorCode::limit_exceeded, file,
         std::string(subject) + " more triangles than the bound of " + std::to_string(max_triangles) + " for a hand",
-        "simplify the model or raise the bound by --max-triangles");
+        "simplify the model or raise ModelLoadOptions::max_triangles");
   const std::uint64_t max_vertices = 3 * std::min(max_triangles, max_index / 3);
   if (vertices > max_vertices)
     throw Error(ErrorCode::limit_exceeded, file,
                 std::string(subject) + " more vertices than the bound of " + std::to_string(max_vertices) +
                     ", three for each triangle of a hand",
-                "leave out unused ones or raise the bound by --max-triangles");
+                "leave out unused ones or raise ModelLoadOptions::max_triangles");
 }
 
 }  // namespace uhas

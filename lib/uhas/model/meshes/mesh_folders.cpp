@@ -48,9 +48,10 @@ bool MeshFolders::hold(const fs::path& file) const {
 
 void MeshFolders::require(const fs::path& file, const std::string& reference) const {
   if (hold(file)) return;
-  throw Error(ErrorCode::file_unreadable, urdf_file_,
-              "the mesh " + reference + " lies outside " + folders_.front().string() + ", the folder of the model",
-              "name its package by --package NAME=DIR, or pass --allow-outside if you trust the model");
+  throw Error(
+      ErrorCode::file_unreadable, urdf_file_,
+      "the mesh " + reference + " lies outside " + folders_.front().string() + ", the folder of the model",
+      "name its package by ModelLoadOptions::packages, or set ModelLoadOptions::allow_outside if you trust the model");
 }
 
 }  // namespace uhas

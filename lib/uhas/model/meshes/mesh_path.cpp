@@ -58,7 +58,7 @@ fs::path find_mesh(const std::string& reference, const fs::path& urdf_folder,
   for (const fs::path& folder : package_candidates(name, urdf_folder, packages))
     if (fs::exists(folder / path_in_package, ignored)) return folder / path_in_package;
   throw Error(ErrorCode::file_unreadable, urdf_file, "the mesh " + reference + " is in no folder known for its package",
-              "pass --package " + name + "=DIR or set ROS_PACKAGE_PATH");
+              "name its folder by ModelLoadOptions::packages or set ROS_PACKAGE_PATH");
 }
 
 }  // namespace uhas

@@ -79,7 +79,7 @@ class MeshFiles : public Assimp::IOSystem {
     const auto [entry, is_new] = contents_.try_emplace(file);
     if (is_new) {
       entry->second =
-          read_file(file, options_.max_mesh_bytes, "simplify the mesh or raise the bound by --max-mesh-bytes");
+          read_file(file, options_.max_mesh_bytes, "simplify the mesh or raise ModelLoadOptions::max_mesh_bytes");
       const fs::path beside = fs::path(reference_).parent_path() / file.lexically_relative(mesh_.parent_path());
       sources_.add(file, file == mesh_ ? reference_ : beside.generic_string(), entry->second);
     }

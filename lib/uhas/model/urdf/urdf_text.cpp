@@ -81,7 +81,7 @@ void check_link_count(const TiXmlElement& robot, const std::string& file, std::u
   if (links > max_links)
     throw Error(ErrorCode::limit_exceeded, file,
                 "has " + std::to_string(links) + " links, more than the bound of " + std::to_string(max_links),
-                "cut the hand out of its robot or raise the bound by --max-links");
+                "cut the hand out of its robot or raise ModelLoadOptions::max_links");
 }
 
 // urdfdom keeps graphs with a cycle in memory for ever and tells little of the others it refuses, so a graph that is no

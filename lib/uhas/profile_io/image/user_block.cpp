@@ -63,7 +63,7 @@ FormatVersion check_user_block(std::span<const std::byte> file, const std::strin
                                   (has_length ? " of " + std::to_string(length) : ""));
   if (block != expected_block(file, *version))
     throw profile_error(path, "the file is damaged: its content does not have the SHA-256 and length that it states",
-                        "rebuild it with uhas-build-profile, or run uhas-inspect --reseal if you edited it");
+                        "rebuild it with uhas-build-profile, or reseal it with uhas-inspect if you edited it");
   return *version;
 }
 

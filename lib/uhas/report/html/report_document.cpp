@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
 
 #include "uhas/base/errors.hpp"
 #include "uhas/base/homogeneous_matrix.hpp"
 #include "uhas/geometry/simplified_geometry.hpp"
+#include "uhas/json/json_text.hpp"
 #include "uhas/profile_io/flat_profile.hpp"
 #include "uhas/report/html/base64.hpp"
 #include "uhas/report/html/embedded_files.hpp"
@@ -16,13 +16,10 @@
 namespace uhas {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::size_t kMostTriangles = 40'000;  // of a hand
 constexpr std::size_t kMostPoints = 6'000;
 constexpr int kDefaultDrivingVectors = 2;
 
-Json vector_json(Vector3d v) { return {v.x, v.y, v.z}; }
 
 void append(std::vector<float>& numbers, Vector3d v) {
   for (const double number : {v.x, v.y, v.z}) numbers.push_back(static_cast<float>(number));
@@ -74,7 +71,7 @@ Json findings_json(const HandProfile& profile) {
 Json tips_json(const HandProfile& profile) {
   Json tips = Json::array();
   for (const ProfileFinger& finger : profile.fingers)
-    tips.push_back({{"link", finger.tip_link}, {"position", vector_json(finger.p_tip_link)}});
+    tips.push_back({{"link", finger.tip_link}, {"position", to_json(finger.p_tip_link)}});
   return tips;
 }
 
@@ -92,8 +89,8 @@ Json joints_json(const HandProfile& profile) {
     const RigidTransformd T_link_joint = link->T_joint_link.inverse();
     joints.push_back({{"kind", kinds[static_cast<std::size_t>(joint.kind)]},
                       {"link", link - profile.links.begin()},
-                      {"origin", vector_json(T_link_joint.translation)},
-                      {"axis", vector_json(T_link_joint.rotation * joint.axis)}});
+                      {"origin", to_json(T_link_joint.translation)},
+                      {"axis", to_json(T_link_joint.rotation * joint.axis)}});
   }
   return joints;
 }
@@ -248,7 +245,7 @@ Json hand_json(const ReportHand& hand) {
           {"delta_theta_bounds", bounds},
           {"planes", planes(profile)},
           {"driving_vectors_phi", driving_vectors_phi(hand.timeline)},
-          {"palm_normal_palm", vector_json(profile.T_palm_sphere.rotation.column(2))},
+          {"palm_normal_palm", to_json(profile.T_palm_sphere.rotation.column(2))},
           {"T_palm_sphere", homogeneous_matrix(profile.T_palm_sphere)},
           {"radius", profile.radius},
           {"mirrored", profile.mirrored},

@@ -1,5 +1,7 @@
 #include "tables/hand_explanation_table.hpp"
 
+#include <ostream>
+
 #include "tables/findings_table.hpp"
 #include "text/numbers.hpp"
 #include "text/table.hpp"

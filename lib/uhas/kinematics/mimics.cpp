@@ -15,8 +15,7 @@ std::vector<int> independent_joints(const KinematicTree& tree, std::span<const i
   std::vector<int> independent;
   for (int joint : joints) {
     const int decides = independent_joint(tree, joint);
-    if (std::find(independent.begin(), independent.end(), decides) == independent.end())
-      independent.push_back(decides);
+    if (std::find(independent.begin(), independent.end(), decides) == independent.end()) independent.push_back(decides);
   }
   return independent;
 }

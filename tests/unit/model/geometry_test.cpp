@@ -261,7 +261,8 @@ TEST_CASE("few triangles and very many vertices") {
     const std::string urdf = folder.write("hand.urdf", one_finger(visual(mesh(name))));
     ModelLoadOptions options;
     options.max_triangles = 4;
-    check_error([&] { load_hand_model(urdf, options); }, ErrorCode::limit_exceeded, {name, "raise ModelLoadOptions::max_triangles"});
+    check_error([&] { load_hand_model(urdf, options); }, ErrorCode::limit_exceeded,
+                {name, "raise ModelLoadOptions::max_triangles"});
   }
 }
 

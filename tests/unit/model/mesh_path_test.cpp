@@ -102,7 +102,8 @@ TEST_CASE("a mesh outside the folder of the model is refused, unless its package
   const std::string outside = elsewhere.write("meshes/a.stl", ascii_stl());
   const auto refused = [&](const std::string& reference, const std::string& urdf) {
     check_error([&] { load_with_mesh(folder, reference, {}, urdf); }, ErrorCode::file_unreadable,
-                {urdf, "the mesh " + reference + " lies outside", "ModelLoadOptions::packages", "ModelLoadOptions::allow_outside"});
+                {urdf, "the mesh " + reference + " lies outside", "ModelLoadOptions::packages",
+                 "ModelLoadOptions::allow_outside"});
   };
   folder.write("a.stl", ascii_stl());
   folder.write("model/a.stl", ascii_stl());

@@ -20,7 +20,6 @@ constexpr std::size_t kMostTriangles = 40'000;  // of a hand
 constexpr std::size_t kMostPoints = 6'000;
 constexpr int kDefaultDrivingVectors = 2;
 
-
 void append(std::vector<float>& numbers, Vector3d v) {
   for (const double number : {v.x, v.y, v.z}) numbers.push_back(static_cast<float>(number));
 }

@@ -143,8 +143,8 @@ int uhas_profile_reference_posture(const uhas_profile* profile, double* q, size_
  * unless `driving_vectors` of the solve options says otherwise: 15 numbers), for the five slots pinky, ring, middle,
  * index, thumb:
  *
- *   [0 .. 4]        d_theta of each slot: the finger's plane turns about the palm's normal by so much, rad. Positive is from
- *                   the thumb's side to the pinky's, on right and left hands. Clamped to what the finger can do.
+ *   [0 .. 4]        d_theta of each slot: the finger's plane turns about the palm's normal by so much, rad. Positive is
+ *                   from the thumb's side to the pinky's, on right and left hands. Clamped to what the finger can do.
  *   [5 + V s + j]   d_r of slot s at its driving vector j = 0 .. V - 1, palm to fingertip: the sphere bulges by so
  *                   much, sphere radii. Negative draws it in, and the finger closes. Clamped to [-2, 2].
  *

@@ -5,7 +5,8 @@
 //   uhas::Status status = solver.solve({.count = count, .values = actions}, q);
 //
 // Constructing may throw, allocates and starts the threads. With one thread, solving neither throws, allocates, locks
-// nor reads a clock; with several it wakes the others and waits for them, and nothing else.
+// nor reads a clock; with several it wakes the others and waits for them, and nothing else. After a fork() the child has
+// no such threads: there, make a solver with threads anew, and neither use nor destroy the old one.
 //
 // A row's result does not depend on the other rows, on their order or on the number of threads, bit for bit. Between
 // instruction sets, and against a single solve, rounding differs: 1e-10 rad in double and 1e-4 rad in float, except

@@ -1,8 +1,8 @@
 #include "uhas/runtime/cascade/action_decoder.hpp"
 
 #include <cmath>
-#include <string>
 #include <numbers>
+#include <string>
 
 namespace uhas {
 namespace {

@@ -31,7 +31,7 @@ int main(int argc, char** argv) {
   action[3] = 0.2;                /* turn the plane of the index finger by 0.2 rad */
   action[11] = action[12] = -0.3; /* draw the sphere in under it by 0.3 radii */
 
-  status = uhas_solver_solve(solver, action, 15, NULL, q, joints, NULL);
+  status = uhas_solver_solve(solver, action, 15, NULL, q, joints, NULL, NULL);
   if (status == UHAS_OK)
     for (joint = 0; joint < joints; ++joint) printf("%s %.17g\n", uhas_profile_joint_name(profile, joint), q[joint]);
   else

@@ -69,7 +69,7 @@ observations = np.zeros((HANDS, uhas.uhas_observer_size(observer)), np.float32)
 reference = np.zeros(joints)
 call(uhas.uhas_profile_reference_posture, profile, reference)
 q[:] = reference
-call(uhas.uhas_controller_reset_f, controller, q, targets)
+call(uhas.uhas_controller_reset_f, controller, q, targets, None)
 
 # a policy: any map from observations to 15 numbers; the same one serves every hand that has a profile
 random = np.random.default_rng(0)
@@ -78,14 +78,14 @@ weights = random.normal(0, 0.05, (observations.shape[1], 15)).astype(np.float32)
 spent = 0.0
 for period in range(PERIODS):
     start = time.perf_counter()
-    call(uhas.uhas_observer_observe_f, observer, q, qd, observations)
+    call(uhas.uhas_observer_observe_f, observer, q, qd, observations, None)
     spent += time.perf_counter() - start
 
     actions = np.tanh(observations @ weights + random.normal(0, 0.3, (HANDS, 15)).astype(np.float32))
 
     start = time.perf_counter()
     call(uhas.uhas_batch_solve_f, batch, actions, None, None, solutions, None)
-    call(uhas.uhas_controller_approach_f, controller, solutions, ctypes.c_float(DT), targets)
+    call(uhas.uhas_controller_approach_f, controller, solutions, ctypes.c_float(DT), targets, None)
     spent += time.perf_counter() - start
 
     qd[:] = (targets - q) * np.float32(0.8 / DT)  # the simulator: joints follow their targets

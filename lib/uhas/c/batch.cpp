@@ -7,7 +7,10 @@
 using namespace uhas;
 
 struct uhas_batch : c::Both<BatchSolver> {
-  using Both::Both;
+  uhas_batch(std::span<const HandProfile> hands, const c::SolveSettings& solve, const BatchOptions& batch)
+      : Both(hands, solve.options, batch), driving_vectors(solve.driving_vectors) {}
+
+  int driving_vectors;
 };
 
 namespace {
@@ -25,21 +28,19 @@ int solve(uhas_batch* handle, const Real* values, std::size_t actions_size, cons
   if (handle == nullptr || q == nullptr) return UHAS_WRONG_SIZE;
   BatchSolver<Real>& solver = handle->in<Real>();
   const std::ptrdiff_t rows = c::rows_of(q_size, solver.widest_joint_count());
-  const c::Actions<Real> actions(values, actions_size, options, rows);
-  if (rows < 0 || !actions.fits()) return UHAS_WRONG_SIZE;
-  if (rows == 0) return UHAS_OK;
+  if (rows < 0) return UHAS_WRONG_SIZE;
+  const c::Actions<Real> actions(values, actions_size, handle->driving_vectors, options, rows);
+  if (!actions.fits()) return UHAS_WRONG_SIZE;
   const std::size_t count = rows;
-  // a Status is stored as an int
-  static_assert(std::is_same_v<std::underlying_type_t<Status>, int>);
   return static_cast<int>(solver.solve({.count = count,
                                         .values = actions.values(),
-                                        .driving_vectors = actions.driving_vectors(),
+                                        .driving_vectors = handle->driving_vectors,
                                         .driving_vectors_phi = actions.angles(),
                                         .normalized = actions.normalized(),
                                         .azimuth_offsets = actions.azimuth_offsets(),
                                         .radial_bounds = actions.radial_bounds(),
                                         .hands = c::array(hands, count)},
-                                       std::span(q, q_size), c::array(reinterpret_cast<Status*>(statuses), count)));
+                                       std::span(q, q_size), c::statuses_of(statuses, count)));
 }
 
 }  // namespace
@@ -49,7 +50,7 @@ int uhas_batch_create(const uhas_profile* const* profiles, size_t profile_count,
   return c::create(batch, {message, message_size}, [&] {
     const BatchOptions settings{.threads = c::read_options(batch_options, UHAS_BATCH_OPTIONS_INIT).threads};
     const std::vector<HandProfile> hands = profiles_of(profiles, profile_count);
-    return new uhas_batch(std::span<const HandProfile>(hands), c::solve_options(options), settings);
+    return new uhas_batch(hands, c::solve_settings(options), settings);
   });
 }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstring>
 #include <exception>
 #include <new>
@@ -11,7 +10,7 @@
 #include <string>
 #include <type_traits>
 
-#include "uhas/base/errors.hpp"
+#include "uhas/base/each_row.hpp"
 #include "uhas/c/uhas.h"
 #include "uhas/runtime/cascade_solver.hpp"
 
@@ -93,16 +92,29 @@ Options read_options(const Options* given, Options options) {
   return options;
 }
 
-inline SolveOptions solve_options(const uhas_solve_options* given) {
+/// What a handle solves by, and the number of driving vectors of its actions, V.
+struct SolveSettings {
+  SolveOptions options;
+  int driving_vectors;
+};
+
+inline SolveSettings solve_settings(const uhas_solve_options* given) {
   const uhas_solve_options options = read_options(given, UHAS_SOLVE_OPTIONS_INIT);
-  for (int choice : {options.rule, options.closing, options.field, options.convention})
-    if (choice != 0 && choice != 1)
-      refuse("a rule, closing, field or convention is " + std::to_string(choice), "choose 0 or 1");
-  return {.rule = static_cast<CascadeRule>(options.rule),
-          .closing = static_cast<CascadeClosing>(options.closing),
-          .field = static_cast<FieldReading>(options.field),
-          .passes = options.passes,
-          .convention = (options.convention == UHAS_CONVENTION_SIM ? kUhasSim : kUhas).convention};
+  const auto require_choice = [](const char* field, int choice) {
+    if (choice != 0 && choice != 1) refuse(field + (" is " + std::to_string(choice)), "choose 0 or 1");
+  };
+  require_choice("rule", options.rule);
+  require_choice("closing", options.closing);
+  require_choice("field", options.field);
+  require_choice("convention", options.convention);
+  if (options.driving_vectors < 1 || options.driving_vectors > kMaxDrivingVectors)
+    refuse("driving_vectors is " + std::to_string(options.driving_vectors), "choose a number from 1 to 4");
+  return {{.rule = static_cast<CascadeRule>(options.rule),
+           .closing = static_cast<CascadeClosing>(options.closing),
+           .field = static_cast<FieldReading>(options.field),
+           .passes = options.passes,
+           .convention = (options.convention == UHAS_CONVENTION_SIM ? kUhasSim : kUhas).convention},
+          options.driving_vectors};
 }
 
 /// An array and its size; empty when there is none.
@@ -116,23 +128,34 @@ inline std::ptrdiff_t rows_of(std::size_t size, std::size_t row) noexcept {
   return row > 0 && size % row == 0 ? static_cast<std::ptrdiff_t>(size / row) : -1;
 }
 
-/// A set of actions: rows of equal length, read in one way.
+/// The statuses of `count` rows, where the caller wants them. A Status is stored as an int.
+inline std::span<Status> statuses_of(int* statuses, std::size_t count) noexcept {
+  static_assert(std::is_same_v<std::underlying_type_t<Status>, int>);
+  return array(reinterpret_cast<Status*>(statuses), count);
+}
+
+/// The actions of several hands, [hands][5 + 5 V], read in one way.
 template <class Real>
 class Actions {
  public:
-  Actions(const Real* values, std::size_t size, const uhas_action_options* given, std::size_t hands) noexcept
-      : values_(array(values, size)), row_(hands > 0 ? size / hands : 0) {
-    fits_ = values_.size() == row_ * hands && (given == nullptr || is_known(*given));
+  Actions(const Real* values, std::size_t size, int driving_vectors, const uhas_action_options* given,
+          std::size_t hands) noexcept
+      : values_(array(values, size)), row_(kSlotCount * (1 + driving_vectors)) {
+    const bool rows_fit = values_.size() % row_ == 0 && values_.size() / row_ == hands;
+    if (!rows_fit || (given != nullptr && !is_known(*given))) return;
     uhas_action_options options = UHAS_ACTION_OPTIONS_INIT;
-    if (fits_) overwrite(options, given);
+    overwrite(options, given);
     normalized_ = options.normalized != 0;
-    angles_ = options.driving_vectors_phi == nullptr ? 0 : options.driving_vectors_size;
-    fits_ = fits_ && angles_ <= phi_.size();
+    angles_ = options.driving_vectors_size;
+    const std::size_t vectors = driving_vectors;
+    const bool has_angles = options.driving_vectors_phi != nullptr;
+    fits_ = has_angles ? angles_ == vectors || angles_ == kSlotCount * vectors : angles_ == 0;
+    if (!fits_) return;
     const auto as_real = [](double number) { return static_cast<Real>(number); };
-    if (fits_ && angles_ > 0)
+    if (has_angles)
       std::transform(options.driving_vectors_phi, options.driving_vectors_phi + angles_, phi_.begin(), as_real);
-    has_offsets_ = fits_ && options.azimuth_offsets != nullptr;
-    has_bounds_ = fits_ && options.radial_bounds != nullptr;
+    has_offsets_ = options.azimuth_offsets != nullptr;
+    has_bounds_ = options.radial_bounds != nullptr;
     if (has_offsets_)
       std::transform(options.azimuth_offsets, options.azimuth_offsets + kSlotCount, offsets_.begin(), as_real);
     if (has_bounds_) std::transform(options.radial_bounds, options.radial_bounds + 2, bounds_.begin(), as_real);
@@ -140,9 +163,6 @@ class Actions {
 
   /// Whether the sizes agree.
   bool fits() const noexcept { return fits_; }
-  bool are_finite() const noexcept {
-    return std::all_of(values_.begin(), values_.end(), [](Real value) { return std::isfinite(value); });
-  }
   Action<Real> operator[](std::size_t hand) const noexcept {
     return {values_.subspan(hand * row_, row_), angles(), normalized_, azimuth_offsets(), radial_bounds()};
   }
@@ -155,14 +175,9 @@ class Actions {
   }
   std::span<const Real> radial_bounds() const noexcept { return std::span(bounds_).first(has_bounds_ ? 2 : 0); }
 
-  /// V; 0 when no V makes rows so long.
-  int driving_vectors() const noexcept {
-    return row_ % kSlotCount == 0 && row_ > kSlotCount ? static_cast<int>(row_ / kSlotCount) - 1 : 0;
-  }
-
  private:
   std::span<const Real> values_;
-  std::size_t row_;
+  std::size_t row_;  // 5 + 5 V
   std::array<Real, kSlotCount * kMaxDrivingVectors> phi_{};
   std::size_t angles_ = 0;
   std::array<Real, kSlotCount> offsets_{};

@@ -20,10 +20,13 @@ ObservationOptions observation_options(const uhas_observation_options* given) {
 
 template <class Real>
 int observe(uhas_observer* handle, const Real* q, std::size_t q_size, const Real* qd, std::size_t qd_size,
-            Real* observations, std::size_t observations_size) noexcept {
+            Real* observations, std::size_t observations_size, int* statuses) noexcept {
   if (handle == nullptr || q == nullptr || qd == nullptr || observations == nullptr) return UHAS_WRONG_SIZE;
-  return static_cast<int>(handle->in<Real>().observe_batch(std::span(q, q_size), std::span(qd, qd_size),
-                                                           std::span(observations, observations_size)));
+  Observer<Real>& observer = handle->in<Real>();
+  const std::size_t hands = q_size / observer.joint_count();
+  return static_cast<int>(observer.observe_batch(std::span(q, q_size), std::span(qd, qd_size),
+                                                 std::span(observations, observations_size),
+                                                 c::statuses_of(statuses, hands)));
 }
 
 }  // namespace
@@ -39,11 +42,11 @@ void uhas_observer_free(uhas_observer* observer) { delete observer; }
 size_t uhas_observer_size(const uhas_observer* observer) { return observer->in_double.size(); }
 
 int uhas_observer_observe(uhas_observer* observer, const double* q, size_t q_size, const double* qd, size_t qd_size,
-                          double* observations, size_t observations_size) {
-  return observe(observer, q, q_size, qd, qd_size, observations, observations_size);
+                          double* observations, size_t observations_size, int* statuses) {
+  return observe(observer, q, q_size, qd, qd_size, observations, observations_size, statuses);
 }
 
 int uhas_observer_observe_f(uhas_observer* observer, const float* q, size_t q_size, const float* qd, size_t qd_size,
-                            float* observations, size_t observations_size) {
-  return observe(observer, q, q_size, qd, qd_size, observations, observations_size);
+                            float* observations, size_t observations_size, int* statuses) {
+  return observe(observer, q, q_size, qd, qd_size, observations, observations_size, statuses);
 }

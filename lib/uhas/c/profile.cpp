@@ -12,7 +12,6 @@ static_assert(UHAS_OK == int(Status::ok) && UHAS_NON_FINITE_INPUT == int(Status:
 static_assert(UHAS_ERROR_FILE_UNREADABLE == int(ErrorCode::file_unreadable) &&
               UHAS_ERROR_INVALID_PROFILE == int(ErrorCode::invalid_profile) &&
               UHAS_ERROR_UNSUPPORTED_VERSION == int(ErrorCode::unsupported_version) &&
-              UHAS_ERROR_INVALID_ACTION == int(ErrorCode::invalid_action) &&
               UHAS_ERROR_LIMIT_EXCEEDED == int(ErrorCode::limit_exceeded) &&
               UHAS_ERROR_INVALID_OPTION == int(ErrorCode::invalid_option));
 
@@ -39,15 +38,17 @@ const char* uhas_profile_joint_name(const uhas_profile* profile, size_t joint) {
 }
 
 int uhas_profile_joint_limits(const uhas_profile* profile, double* lower, double* upper, size_t joint_count) {
+  if (profile == nullptr || lower == nullptr || upper == nullptr) return UHAS_WRONG_SIZE;
   const std::vector<Joint>& joints = profile->profile.tree.joints;
-  if (lower == nullptr || upper == nullptr || joint_count != joints.size()) return UHAS_WRONG_SIZE;
+  if (joint_count != joints.size()) return UHAS_WRONG_SIZE;
   for (const Joint& joint : joints) *lower++ = joint.lower, *upper++ = joint.upper;
   return UHAS_OK;
 }
 
 int uhas_profile_reference_posture(const uhas_profile* profile, double* q, size_t joint_count) {
+  if (profile == nullptr || q == nullptr) return UHAS_WRONG_SIZE;
   const std::vector<JointTraits>& traits = profile->profile.joint_traits;
-  if (q == nullptr || joint_count != traits.size()) return UHAS_WRONG_SIZE;
+  if (joint_count != traits.size()) return UHAS_WRONG_SIZE;
   for (const JointTraits& joint : traits) *q++ = joint.q_sphere;
   return UHAS_OK;
 }

@@ -100,15 +100,15 @@ template <class Real>
 BatchSolver<Real>::BatchSolver(std::span<const HandProfile> hands, const SolveOptions& options,
                                const BatchOptions& batch) {
   constexpr int most_threads = 256;
-  if (hands.empty())
-    throw Error(ErrorCode::invalid_action, "", "a batch solver needs a hand", "give it one profile or more");
+  if (hands.empty()) throw Error(ErrorCode::invalid_option, "", "hands is empty", "give it one profile or more");
   if (batch.threads < 1 || batch.threads > most_threads)
-    throw Error(ErrorCode::invalid_action, "", "threads is " + std::to_string(batch.threads),
+    throw Error(ErrorCode::invalid_option, "", "threads is " + std::to_string(batch.threads),
                 "choose a number from 1 to 256");
   if (!is_available(batch.instruction_set))
-    throw Error(ErrorCode::invalid_action, "",
-                std::string("this machine or build has no ") + to_string(batch.instruction_set),
-                "leave the choice to the library");
+    throw Error(
+        ErrorCode::invalid_option, "",
+        std::string("instruction_set is ") + to_string(batch.instruction_set) + ", which this machine or build has not",
+        "leave the choice to the library");
   crew_ = std::make_unique<Crew>(hands, options, batch);
 }
 

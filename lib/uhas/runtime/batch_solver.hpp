@@ -5,7 +5,8 @@
 //   uhas::Status status = solver.solve({.count = count, .values = actions}, q);
 //
 // Constructing may throw, allocates and starts the threads. With one thread, solving neither throws, allocates, locks
-// nor reads a clock; with several it wakes the others and waits for them, and nothing else.
+// nor reads a clock; with several it wakes the others and waits for them, and nothing else. After a fork() the child has
+// no such threads: there, make a solver with threads anew, and neither use nor destroy the old one.
 //
 // A row's result does not depend on the other rows, on their order or on the number of threads, bit for bit. Between
 // instruction sets, and against a single solve, rounding differs: 1e-10 rad in double and 1e-4 rad in float, except
@@ -50,7 +51,7 @@ struct BatchOptions {
 template <class Real>
 class UHAS_API BatchSolver {
  public:
-  /// Throws Error: as CascadeSolver; invalid_action for no hand, for threads out of range and for an instruction set
+  /// Throws Error: as CascadeSolver; invalid_option for no hand, for threads out of range and for an instruction set
   /// that is not available; std::system_error when a thread cannot be started.
   explicit BatchSolver(const HandProfile& profile, const SolveOptions& options = {}, const BatchOptions& batch = {});
   explicit BatchSolver(std::span<const HandProfile> hands, const SolveOptions& options = {},
@@ -64,15 +65,11 @@ class UHAS_API BatchSolver {
   int widest_joint_count() const noexcept;       ///< the largest of these: numbers of an output row
   int lanes() const noexcept;                    ///< hands solved at once on a thread
 
+  /// Refuses row by row, as `Status` says.
   /// @param q         [N][q_stride] joint angles (rad; m for prismatic joints) in the order of the row's own hand,
-  /// within limits.
-  ///                  Elements past that hand's joints are untouched.
-  /// @param statuses  [N] or empty: what became of each row. A row that is refused (non_finite_input,
-  ///                  invalid_driving_vectors, invalid_radial_bounds, unknown_hand) leaves its part of `q` untouched
-  ///                  and hinders no other row.
+  ///                  within limits. Elements past that hand's joints are untouched.
+  /// @param statuses  [N] or empty: non_finite_input, invalid_driving_vectors, invalid_radial_bounds, unknown_hand or ok
   /// @param q_stride  numbers from one row of `q` to the next; 0 = widest_joint_count()
-  /// Returns ok when every row is; else the status of the first row that was refused; or, with nothing written at all,
-  /// wrong_size for a span too short, or the status of what all rows share.
   Status solve(const ActionBatch<Real>& actions, std::span<Real> q, std::span<Status> statuses = {},
                std::size_t q_stride = 0) noexcept;
 

@@ -23,34 +23,49 @@ struct SolverModel;  // private
 
 /// How a joint angle follows from the deformed sphere.
 enum class CascadeRule : int {
-  correspondence = 0,  ///< least squares over the surface points the joint carries
-  contact = 1,         ///< turn from open to the first contact of the next joint with the deformed profile
+  /// Least squares over the surface points the joint carries. Use this when nothing speaks against it: motion is smooth,
+  /// and batches use SIMD.
+  correspondence = 0,
+  /// Turn from open to the first contact of the next joint with the deformed profile. Use this for policies that were
+  /// trained with it: joints may jump, and batches solve row by row.
+  contact = 1,
 };
 
 /// What a joint does as its points' spheres shrink past the centre.
 enum class CascadeClosing : int {
-  fade = 0,  ///< blends toward the closed end as the sphere radius falls from 0.5 to 0
-  hard = 1,  ///< drops points of negative sphere radius; a joint with none left closes (the paper's)
+  /// Blends toward the closed end as the sphere radius falls from 0.5 to 0. Use this for motion without jumps.
+  fade = 0,
+  /// Drops points of negative sphere radius; a joint with none left closes at once (the paper's). Use this for policies
+  /// that were trained with it, and to compare with the paper.
+  hard = 1,
 };
 
 /// Which deformation a surface point takes.
 enum class FieldReading : int {
-  finger = 0,  ///< that of its own finger's plane: fingers are independent
-  field = 1,   ///< the field interpolated between planes at the point's own azimuth
+  /// That of its own finger's plane. Use this when a finger is to do what its own numbers say: fingers are independent.
+  finger = 0,
+  /// The field interpolated between planes at the point's own azimuth (the paper's). Use this to compare with the paper:
+  /// neighbours pull at each other near the palm, and batches solve row by row.
+  field = 1,
 };
 
 struct SolveOptions {
   CascadeRule rule = CascadeRule::correspondence;
   CascadeClosing closing = CascadeClosing::fade;
   FieldReading field = FieldReading::finger;
-  int passes = 1;                 ///< 1..100: sweeps over each finger; more come nearer to the least-squares optimum
+  /// 1 to 100: sweeps over each finger. Use one in a control loop; more come nearer to the least-squares optimum, take
+  /// longer and are less smooth.
+  int passes = 1;
   ActionConvention convention{};  ///< what the numbers of an action mean
 };
 
-/// uhas' own convention, and that of the authors' released simulation code with the rule and closing of its controller:
-/// radii instead of displacements, held toward the pole, azimuth about the opposite normal. By its description only:
-/// not yet compared with output of that code. Its sphere is smaller: build the profile with radius scale 0.8.
+/// uhas' own convention. Use this for all that is new.
 inline constexpr SolveOptions kUhas{};
+
+/// The convention of the authors' released simulation code, with the rule and closing of its controller: radii instead of
+/// displacements, held toward the pole, azimuth about the opposite normal. Use this for policies trained with that code.
+/// By its description only: not yet compared with output of that code. Its sphere is smaller: build the profile with
+/// radius scale 0.8.
 inline constexpr SolveOptions kUhasSim{
     .rule = CascadeRule::contact,
     .closing = CascadeClosing::hard,
@@ -68,7 +83,7 @@ struct SolveReport {
 template <class Real>
 class UHAS_API CascadeSolver {
  public:
-  /// Throws Error: invalid_profile for a profile that `validate_profile` refuses, invalid_action for passes or numbers
+  /// Throws Error: invalid_profile for a profile that `validate_profile` refuses, invalid_option for passes or numbers
   /// of the convention out of range.
   explicit CascadeSolver(const HandProfile& profile, const SolveOptions& options = {});
   CascadeSolver(const CascadeSolver& other);

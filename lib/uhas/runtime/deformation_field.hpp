@@ -15,7 +15,7 @@ namespace uhas {
 /// The field of one hand. It has scratch memory of its own: give each thread its object.
 class UHAS_API DeformationField {
  public:
-  /// Throws Error: invalid_profile for a profile that `validate_profile` refuses, invalid_action for numbers of the
+  /// Throws Error: invalid_profile for a profile that `validate_profile` refuses, invalid_option for numbers of the
   /// convention out of range.
   explicit DeformationField(const HandProfile& profile, const ActionConvention& convention = {});
   DeformationField(DeformationField&&) noexcept;

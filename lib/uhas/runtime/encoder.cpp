@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "uhas/base/each_row.hpp"
 #include "uhas/runtime/encoding/encoding.hpp"
 
 namespace uhas {
@@ -20,11 +21,11 @@ struct Encoder<Real>::Scratch : Encoding<Real> {
 template <class Real>
 Encoder<Real>::Encoder(const HandProfile& profile, const SolveOptions& options, int driving_vectors) {
   if (driving_vectors < 1 || driving_vectors > kMaxDrivingVectors)
-    throw Error(ErrorCode::invalid_action, "", "the number of driving vectors is " + std::to_string(driving_vectors),
+    throw Error(ErrorCode::invalid_option, "", "driving_vectors is " + std::to_string(driving_vectors),
                 "choose a number from 1 to 4");
   if (options.convention != ActionConvention{})
-    throw Error(ErrorCode::invalid_action, "", "actions can be encoded in uhas' own convention only",
-                "leave the convention out");
+    throw Error(ErrorCode::invalid_option, "", "convention is not uhas' own, and no other can be encoded",
+                "leave it out");
   const CascadeSolver<Real> solver(profile, options);  // validates both
   const CascadeSolver<Real> relaxed_solver(with_wider_limits(profile), options);
   model_ = std::make_shared<const Model>(profile, options, driving_vectors);
@@ -64,26 +65,22 @@ Status Encoder<Real>::encode(std::span<const Real> q, std::span<Real> action, En
 }
 
 template <class Real>
-Status Encoder<Real>::encode_batch(std::span<const Real> q, std::span<Real> actions,
-                                   std::span<EncodeReport> reports) noexcept {
-  const std::size_t joints = joint_count(), size = action_size(), count = q.size() / joints;
-  if (actions.size() != count * size || (!reports.empty() && reports.size() != count)) return Status::wrong_size;
-  if (const Status status = check(q); status != Status::ok) return status;
-  for (std::size_t n = 0; n < count; ++n) {
-    scratch_->run(*model_, q.subspan(n * joints, joints));
-    scratch_->write_action(*model_, actions.subspan(n * size, size));
-    if (!reports.empty()) reports[n] = scratch_->report(*model_);
-  }
-  return Status::ok;
-}
-
-template <class Real>
-Status Encoder<Real>::check(std::span<const Real> q) const noexcept {
+Status Encoder<Real>::encode_batch(std::span<const Real> q, std::span<Real> actions, std::span<EncodeReport> reports,
+                                   std::span<Status> statuses) noexcept {
   const std::vector<Joint>& joints = model_->tree.joints;
-  if (q.size() % joints.size() != 0) return Status::wrong_size;
-  for (std::size_t i = 0; i < q.size(); ++i)
-    if (joints[i % joints.size()].mimic_master < 0 && !std::isfinite(q[i])) return Status::non_finite_input;
-  return Status::ok;
+  const std::size_t size = action_size(), count = q.size() / joints.size();
+  if (q.size() != count * joints.size() || actions.size() != count * size ||
+      (!reports.empty() && reports.size() != count) || !holds_statuses(statuses, count))
+    return Status::wrong_size;
+  return each_row(count, statuses, [&](std::size_t row) {
+    const std::span<const Real> posture = q.subspan(row * joints.size(), joints.size());
+    for (std::size_t i = 0; i < joints.size(); ++i)
+      if (joints[i].mimic_master < 0 && !std::isfinite(posture[i])) return Status::non_finite_input;
+    scratch_->run(*model_, posture);
+    scratch_->write_action(*model_, actions.subspan(row * size, size));
+    if (!reports.empty()) reports[row] = scratch_->report(*model_);
+    return Status::ok;
+  });
 }
 
 template class Encoder<float>;

@@ -36,7 +36,7 @@ class UHAS_API Encoder {
  public:
   /// @param options          of the solver whose inverse this is
   /// @param driving_vectors  V, 1 to 4, at their default angles pi j / (V + 1)
-  /// Throws Error: as CascadeSolver; invalid_action for V out of range and for an action convention other
+  /// Throws Error: as CascadeSolver; invalid_option for V out of range and for an action convention other
   /// than uhas' own.
   explicit Encoder(const HandProfile& profile, const SolveOptions& options = {}, int driving_vectors = 2);
   Encoder(const Encoder& other);
@@ -57,11 +57,10 @@ class UHAS_API Encoder {
   Status encode(std::span<const Real> q, std::span<Real> action, EncodeReport& report) noexcept;
 
   /// The same for N postures, one after the other, on the calling thread: q [N][joint_count()] to actions
-  /// [N][action_size()] and reports [N], which may be empty. One bad number refuses the whole batch.
-  Status encode_batch(std::span<const Real> q, std::span<Real> actions, std::span<EncodeReport> reports) noexcept;
-
-  /// What an encoding of `q` [N][joint_count()] would be refused for: ok, wrong_size or non_finite_input.
-  Status check(std::span<const Real> q) const noexcept;
+  /// [N][action_size()]. Refuses row by row, as `Status` says, the reports too.
+  /// @param reports, statuses  [N] or empty
+  Status encode_batch(std::span<const Real> q, std::span<Real> actions, std::span<EncodeReport> reports = {},
+                      std::span<Status> statuses = {}) noexcept;
 
  private:
   struct UHAS_PRIVATE Model;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "uhas/runtime/lanes/wide_rows.hpp"
 #include "uhas/runtime/observing/fingertip_kernel.hpp"
 
 namespace uhas {
@@ -29,19 +30,16 @@ struct FingertipKinematics<Real>::Model {
     return fingertip_kernel_baseline<Real>();
   }
 
-  /// One hand after the other; touches nothing when a number that is read is not finite.
-  Status place_each(const Real* q, std::size_t hands, Real* fingertips) const noexcept {
-    for (std::size_t n = 0; n < hands; ++n)
-      for (int i : independent)
-        if (!std::isfinite(q[n * joints + i])) return Status::non_finite_input;
+  /// One hand; touches nothing when a number that is read is not finite.
+  Status place_one(const Real* q, Real* fingertips) const noexcept {
+    for (int i : independent)
+      if (!std::isfinite(q[i])) return Status::non_finite_input;
     const auto turn = [](Real angle, Real& cosine, Real& sine) { cosine = std::cos(angle), sine = std::sin(angle); };
-    for (std::size_t n = 0; n < hands; ++n) {
-      for (const FingertipChain<Real>& chain : chains) {
-        const Vector3<Real> p = place_fingertip<Real>(
-            chain, [&](int joint) { return q[n * joints + joint]; }, turn);
-        fingertips[0] = p.x, fingertips[1] = p.y, fingertips[2] = p.z;
-        fingertips += 3;
-      }
+    for (const FingertipChain<Real>& chain : chains) {
+      const Vector3<Real> p = place_fingertip<Real>(
+          chain, [&](int joint) { return q[joint]; }, turn);
+      fingertips[0] = p.x, fingertips[1] = p.y, fingertips[2] = p.z;
+      fingertips += 3;
     }
     return Status::ok;
   }
@@ -66,19 +64,26 @@ int FingertipKinematics<Real>::finger_count() const noexcept {
 template <class Real>
 Status FingertipKinematics<Real>::fingertips(std::span<const Real> q, std::span<Real> fingertips) const noexcept {
   if (q.size() != model_->joints || fingertips.size() != 3 * model_->chains.size()) return Status::wrong_size;
-  return model_->place_each(q.data(), 1, fingertips.data());
+  return model_->place_one(q.data(), fingertips.data());
 }
 
 template <class Real>
-Status FingertipKinematics<Real>::fingertips_batch(std::span<const Real> q, std::span<Real> fingertips) const noexcept {
+Status FingertipKinematics<Real>::fingertips_batch(std::span<const Real> q, std::span<Real> fingertips,
+                                                   std::span<Status> statuses) const noexcept {
   const Model& model = *model_;
-  const std::size_t count = q.size() / model.joints;
-  if (q.size() != count * model.joints || fingertips.size() != count * 3 * model.chains.size())
+  const FingertipKernel<Real>& kernel = model.kernel;
+  const std::size_t joints = model.joints, count = q.size() / joints, fingers = model.chains.size();
+  if (q.size() != count * joints || fingertips.size() != count * 3 * fingers || !holds_statuses(statuses, count))
     return Status::wrong_size;
-  if (!model.kernel.place || !model.kernel.takes(q.data(), q.size()))
-    return model.place_each(q.data(), count, fingertips.data());
-  model.kernel.place(model.chains.data(), model.chains.size(), q.data(), model.joints, count, fingertips.data());
-  return Status::ok;
+  const auto q_of = [&](std::size_t row) { return q.data() + row * joints; };
+  const auto out_of = [&](std::size_t row) { return fingertips.data() + row * 3 * fingers; };
+  return wide_rows(
+      count, statuses,
+      [&](std::size_t first, std::size_t rows) { return kernel.place && kernel.takes(q_of(first), rows * joints); },
+      [&](std::size_t first, std::size_t rows) {
+        kernel.place(model.chains.data(), fingers, q_of(first), joints, rows, out_of(first));
+      },
+      [&](std::size_t row) { return model.place_one(q_of(row), out_of(row)); });
 }
 
 template class FingertipKinematics<float>;

@@ -36,8 +36,10 @@ class UHAS_API FingertipKinematics {
   Status fingertips(std::span<const Real> q, std::span<Real> fingertips) const noexcept;
 
   /// The same for N hands of this kind, on the calling thread: q [N][joint_count()] to fingertips
-  /// [N][finger_count()][3]. One bad number refuses the whole batch.
-  Status fingertips_batch(std::span<const Real> q, std::span<Real> fingertips) const noexcept;
+  /// [N][finger_count()][3]. Refuses row by row, as `Status` says; `statuses`: [N] or empty. A row's result does not
+  /// depend on the others; it is that of a single call to within rounding.
+  Status fingertips_batch(std::span<const Real> q, std::span<Real> fingertips,
+                          std::span<Status> statuses = {}) const noexcept;
 
  private:
   struct UHAS_PRIVATE Model;

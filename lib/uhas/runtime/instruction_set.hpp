@@ -7,9 +7,13 @@
 namespace uhas {
 
 enum class InstructionSet : int {
-  scalar = 0,    ///< one hand after the other, the code of a single solve
-  baseline = 1,  ///< 128 bits, which every x86-64 and aarch64 processor has: 4 floats or 2 doubles
-  avx2 = 2,      ///< AVX2 and FMA, 256 bits: 8 floats or 4 doubles
+  /// One hand after the other, by the code of a single solve. Use this as what the others are compared with.
+  scalar = 0,
+  /// 128 bits, which every x86-64 and aarch64 processor has: 4 floats or 2 doubles. Use this to get the same bits on
+  /// processors with AVX2 and without.
+  baseline = 1,
+  /// AVX2 and FMA, 256 bits: 8 floats or 4 doubles. Use this where it is available: it is the fastest.
+  avx2 = 2,
 };
 
 /// Whether this library was built with `set` and this processor has it.

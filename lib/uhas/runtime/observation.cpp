@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "uhas/runtime/lanes/wide_rows.hpp"
 #include "uhas/runtime/observing/observation_kernel.hpp"
 
 namespace uhas {
@@ -44,34 +45,39 @@ Status Observer<Real>::observe(std::span<const Real> q, std::span<const Real> qd
                                std::span<Real> observation) noexcept {
   if (q.size() != bodies_.size() || qd.size() != q.size() || observation.size() != std::size_t(model_->size))
     return Status::wrong_size;
-  return observe_each(q.data(), qd.data(), 1, observation.data());
+  return observe_one(q.data(), qd.data(), observation.data());
 }
 
 template <class Real>
-Status Observer<Real>::observe_batch(std::span<const Real> q, std::span<const Real> qd,
-                                     std::span<Real> observations) noexcept {
+Status Observer<Real>::observe_batch(std::span<const Real> q, std::span<const Real> qd, std::span<Real> observations,
+                                     std::span<Status> statuses) noexcept {
   const Model& model = *model_;
+  const ObservationKernel<Real>& kernel = model.kernel;
   const std::size_t joints = bodies_.size(), count = q.size() / joints;
-  if (q.size() != count * joints || qd.size() != q.size() || observations.size() != count * model.size)
+  if (q.size() != count * joints || qd.size() != q.size() || observations.size() != count * model.size ||
+      !holds_statuses(statuses, count))
     return Status::wrong_size;
-  if (!model.kernel.observe || !model.kernel.takes(q.data(), q.size()) || !model.kernel.takes(qd.data(), qd.size()))
-    return observe_each(q.data(), qd.data(), count, observations.data());
-  model.kernel.observe(model, q.data(), qd.data(), count, observations.data());
-  return Status::ok;
+  const auto q_of = [&](std::size_t row) { return q.data() + row * joints; };
+  const auto qd_of = [&](std::size_t row) { return qd.data() + row * joints; };
+  const auto out_of = [&](std::size_t row) { return observations.data() + row * model.size; };
+  return wide_rows(
+      count, statuses,
+      [&](std::size_t first, std::size_t rows) {
+        return kernel.observe && kernel.takes(q_of(first), rows * joints) && kernel.takes(qd_of(first), rows * joints);
+      },
+      [&](std::size_t first, std::size_t rows) {
+        kernel.observe(model, q_of(first), qd_of(first), rows, out_of(first));
+      },
+      [&](std::size_t row) { return observe_one(q_of(row), qd_of(row), out_of(row)); });
 }
 
 template <class Real>
-Status Observer<Real>::observe_each(const Real* q, const Real* qd, std::size_t count, Real* observations) noexcept {
-  const std::size_t joints = bodies_.size();
-  for (std::size_t n = 0; n < count; ++n)
-    for (const auto& joint : model_->joints)
-      if (!std::isfinite(q[n * joints + joint.source]) || !std::isfinite(qd[n * joints + joint.source]))
-        return Status::non_finite_input;
+Status Observer<Real>::observe_one(const Real* q, const Real* qd, Real* observation) noexcept {
+  for (const auto& joint : model_->joints)
+    if (!std::isfinite(q[joint.source]) || !std::isfinite(qd[joint.source])) return Status::non_finite_input;
   const auto turn = [](Real angle) { return SinCos<Real>{.sine = std::sin(angle), .cosine = std::cos(angle)}; };
-  for (std::size_t n = 0; n < count; ++n) {
-    move_bodies<Real, Real>(*model_, q + n * joints, qd + n * joints, turn, bodies_.data());
-    write_observation<Real, Real>(*model_, bodies_.data(), observations + n * model_->size);
-  }
+  move_bodies<Real, Real>(*model_, q, qd, turn, bodies_.data());
+  write_observation<Real, Real>(*model_, bodies_.data(), observation);
   return Status::ok;
 }
 

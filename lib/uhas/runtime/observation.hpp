@@ -64,15 +64,16 @@ class UHAS_API Observer {
   /// depends on nothing but actuated joints. Values beyond the joints' limits are taken as they are.
   Status observe(std::span<const Real> q, std::span<const Real> qd, std::span<Real> observation) noexcept;
 
-  /// The same for N hands of this kind, one after the other, on the calling thread: q and qd [N][joint_count()] to
-  /// observations [N][size()]. One bad number refuses the whole batch. The
-  /// same as single calls to within rounding, on every instruction set.
-  Status observe_batch(std::span<const Real> q, std::span<const Real> qd, std::span<Real> observations) noexcept;
+  /// The same for N hands of this kind, on the calling thread: q and qd [N][joint_count()] to observations [N][size()].
+  /// Refuses row by row, as `Status` says; `statuses`: [N] or empty. A row's result does not depend on the others; it
+  /// is that of a single call to within rounding, on every instruction set.
+  Status observe_batch(std::span<const Real> q, std::span<const Real> qd, std::span<Real> observations,
+                       std::span<Status> statuses = {}) noexcept;
 
  private:
   struct UHAS_PRIVATE Model;
 
-  UHAS_PRIVATE Status observe_each(const Real* q, const Real* qd, std::size_t count, Real* observations) noexcept;
+  UHAS_PRIVATE Status observe_one(const Real* q, const Real* qd, Real* observation) noexcept;
 
   std::shared_ptr<const Model> model_;
   std::vector<ObservedBody<Real>> bodies_;  // [joint] scratch

@@ -53,9 +53,6 @@ class UHAS_API SphereController {
   /// @param targets  [joint_count()] out; untouched on any status but ok
   Status reset(std::span<const Real> q, std::span<Real> targets) const noexcept;
 
-  /// What a reset to `q` would be refused for: ok, wrong_size or non_finite_input.
-  Status check(std::span<const Real> q) const noexcept;
-
   /// One control period.
   /// @param action   as CascadeSolver takes it
   /// @param dt       s, since the last update; > 0 and finite, else Status::invalid_period
@@ -78,6 +75,7 @@ class UHAS_API SphereController {
   };
   using Motions = std::vector<Motion>;
 
+  UHAS_PRIVATE Status check(std::span<const Real> q) const noexcept;
   UHAS_PRIVATE void step(std::span<const Real> solution, Real dt, std::span<Real> targets) const noexcept;
   UHAS_PRIVATE void follow(std::span<Real> targets) const noexcept;
 

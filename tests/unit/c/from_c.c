@@ -28,7 +28,7 @@ int solve_from_c(const uhas_profile* profile, double* q, size_t joints) {
   result = uhas_controller_create(profile, &controller_options, &controller, NULL, 0);
   if (result == UHAS_OK) result = uhas_observer_create(profile, &observation_options, &observer, NULL, 0);
   if (result == UHAS_OK) result = uhas_solver_create(profile, &solve_options, &solver, NULL, 0);
-  if (result == UHAS_OK) result = uhas_solver_solve(solver, action, 15, &action_options, q, joints, &report);
+  if (result == UHAS_OK) result = uhas_solver_solve(solver, action, 15, &action_options, q, joints, &report, NULL);
   if (result == UHAS_OK && !(residual > 0)) result = -1;
   uhas_controller_free(controller);
   uhas_observer_free(observer);

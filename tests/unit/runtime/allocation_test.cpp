@@ -236,7 +236,8 @@ TEST_CASE("10,000 calls from C allocate nothing") {
   allocations = 0;
   counting = true;
   for (int n = 0; n < 10000; ++n)
-    refused += uhas_solver_solve(solver, action.data(), n % 10 ? 15 : 14, &options, q.data(), 5, nullptr) != UHAS_OK;
+    refused +=
+        uhas_solver_solve(solver, action.data(), n % 10 ? 15 : 14, &options, q.data(), 5, nullptr, nullptr) != UHAS_OK;
   counting = false;
   CHECK(allocations == 0);
   CHECK(refused == 1000);

@@ -348,7 +348,8 @@ TEST_CASE("a batch solver that cannot be made says why") {
   CHECK_THROWS_AS(BatchSolver<float>(std::span<const HandProfile>{}), Error);
   CHECK_THROWS_AS(BatchSolver<float>(profile, {}, {.threads = 0}), Error);
   CHECK_THROWS_AS(BatchSolver<float>(profile, {}, {.threads = 257}), Error);
-  CHECK_THROWS_WITH_AS(BatchSolver<float>(profile, {}, {.instruction_set = static_cast<InstructionSet>(1000)}),
-                       "this machine or build has no unknown; leave the choice to the library", Error);
+  CHECK_THROWS_WITH_AS(
+      BatchSolver<float>(profile, {}, {.instruction_set = static_cast<InstructionSet>(1000)}),
+      "instruction_set is unknown, which this machine or build has not; leave the choice to the library", Error);
   CHECK_THROWS_AS(BatchSolver<float>(profile, {.passes = 0}), Error);
 }

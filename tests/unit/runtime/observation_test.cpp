@@ -212,8 +212,6 @@ TEST_CASE("wrong sizes and numbers that are not finite are refused and leave the
     bad5[4] = bad10[9] = bad;
     CHECK(observer.observe(bad5, q5, one) == Status::non_finite_input);
     CHECK(observer.observe(q5, bad5, one) == Status::non_finite_input);
-    CHECK(observer.observe_batch(bad10, q10, two) == Status::non_finite_input);
-    CHECK(observer.observe_batch(q10, bad10, two) == Status::non_finite_input);
   }
   CHECK(output == std::vector<double>(2 * 90, 42.0));
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 
 namespace uhas {
 namespace {
@@ -16,12 +17,13 @@ bool all_finite(std::span<const Real> numbers) noexcept {
 }  // namespace
 
 void check_convention(const ActionConvention& convention) {
+  if (std::abs(convention.azimuth_sign) != 1)
+    throw Error(ErrorCode::invalid_option, "", "azimuth_sign is " + std::to_string(convention.azimuth_sign),
+                "choose 1 or -1");
   const auto bounded = [](double low, double x, double high) { return x >= low && x <= high; };
-  if (std::abs(convention.azimuth_sign) != 1 || !bounded(-kMostRadialBound, convention.radial_lower, 0) ||
-      !bounded(0, convention.radial_upper, kMostRadialBound))
-    throw Error(ErrorCode::invalid_action, "",
-                "the action convention has an azimuth sign or radial bounds out of range",
-                "choose a sign of 1 or -1 and bounds lower <= 0 <= upper");
+  if (!bounded(-kMostRadialBound, convention.radial_lower, 0) || !bounded(0, convention.radial_upper, kMostRadialBound))
+    throw Error(ErrorCode::invalid_option, "", "radial_lower or radial_upper is out of range",
+                "choose -1e6 <= radial_lower <= 0 <= radial_upper <= 1e6");
 }
 
 template <class Real>

@@ -15,7 +15,7 @@ namespace uhas {
 /// Radial bounds are at most so far from 0: squares of what follows from them stay finite in float.
 inline constexpr double kMostRadialBound = 1e6;
 
-/// Throws Error: invalid_action for numbers of the convention out of range.
+/// Throws Error: invalid_option for numbers of the convention out of range.
 void check_convention(const ActionConvention& convention);
 
 /// The numbers of an action that has passed `ActionDecoder::check`, one action a lane.

@@ -23,7 +23,7 @@ bool contains(const std::vector<int>& list, int value) {
 void check_passes(int passes) {
   constexpr int max_passes = 100;
   if (passes < 1 || passes > max_passes)
-    throw Error(ErrorCode::invalid_action, "", "passes is " + std::to_string(passes), "choose a number from 1 to 100");
+    throw Error(ErrorCode::invalid_option, "", "passes is " + std::to_string(passes), "choose a number from 1 to 100");
 }
 
 /// The decay rises to 1 over the passes: the last ones descend on the plain weights (docs/method.md#passes).

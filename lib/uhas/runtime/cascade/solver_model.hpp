@@ -130,7 +130,7 @@ struct SolverModel {
   std::vector<SolverPart> parts;
 };
 
-/// Throws Error: invalid_profile for a profile that `validate_profile` refuses, invalid_action for passes or numbers of
+/// Throws Error: invalid_profile for a profile that `validate_profile` refuses, invalid_option for passes or numbers of
 /// the convention out of range.
 template <class Real>
 std::shared_ptr<const SolverModel<Real>> compile_solver_model(const HandProfile& profile, const SolveOptions& options);

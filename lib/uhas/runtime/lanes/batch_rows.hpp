@@ -16,7 +16,7 @@ template <class Real>
 class BatchRows {
  public:
   /// @param widest  numbers of an output row
-  /// Returns wrong_size where a span is too short, or what every row would be refused for.
+  /// Returns wrong_size where the sizes do not agree, else ok.
   Status set(const ActionBatch<Real>& batch, std::span<Real> q, std::size_t q_stride, std::span<Status> statuses,
              std::size_t widest) noexcept {
     batch_ = batch;
@@ -26,7 +26,8 @@ class BatchRows {
     if (batch_.stride == 0) batch_.stride = numbers();
     q_stride_ = q_stride == 0 ? widest : q_stride;
     if (const Status status = check_sizes(widest); status != Status::ok) return status;
-    return check_shared();
+    shared_ = check_shared();
+    return shared_ == Status::wrong_size ? shared_ : Status::ok;
   }
 
   std::size_t count() const noexcept { return batch_.count; }
@@ -46,7 +47,7 @@ class BatchRows {
             .radial_bounds = bounds_per_row_ ? own_bounds(row) : batch_.radial_bounds};
   }
 
-  /// What the row is refused for, and a note of it in the statuses. What all rows share has been checked.
+  /// What the row is refused for, and a note of it in the statuses. What all rows share has been checked once.
   Status judge(std::size_t row, int hand_count) const noexcept {
     Status status = Status::unknown_hand;
     if (hand(row) >= 0 && hand(row) < hand_count)
@@ -54,6 +55,7 @@ class BatchRows {
                                            .driving_vectors_phi = own_angles(row),
                                            .azimuth_offsets = own_offsets(row),
                                            .radial_bounds = own_bounds(row)});
+    if (status == Status::ok) status = shared_;
     if (!statuses_.empty()) statuses_[row] = status;
     return status;
   }
@@ -106,6 +108,7 @@ class BatchRows {
     return Status::ok;
   }
 
+  // what every row is refused for: options that all rows share
   Status check_shared() const noexcept {
     using Decoder = ActionDecoder<Real>;
     constexpr std::span<const Real> none{};
@@ -122,6 +125,7 @@ class BatchRows {
   std::span<Status> statuses_;
   int angles_ = 0;
   bool offsets_per_row_ = false, bounds_per_row_ = false;
+  Status shared_ = Status::ok;  // of check_shared
 };
 
 /// Of the rows that were refused the first, whichever is found first.

@@ -10,6 +10,8 @@
 
 namespace uhas {
 
+/// Which shapes of a URDF's links are the hand's surface. Visual is the rule; use collision where the visuals are missing
+/// or too detailed, both where neither is complete.
 enum class GeometrySource : int { visual = 0, collision = 1, both = 2 };
 
 /// A folder that `package://NAME/` stands for.

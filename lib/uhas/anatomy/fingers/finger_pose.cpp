@@ -4,16 +4,6 @@
 
 namespace uhas {
 
-int variable_of(const KinematicTree& tree, int joint) {
-  const int master = tree.joints[joint].mimic_master;
-  return master < 0 ? joint : master;
-}
-
-void set_joint(const KinematicTree& tree, int variable, double value, std::span<double> q) {
-  q[variable] = value;
-  apply_mimics(tree, q);
-}
-
 double mid_range(const Joint& joint) { return (joint.lower + joint.upper) / 2; }
 
 std::vector<double> mid_pose(const KinematicTree& tree) {

@@ -8,12 +8,6 @@
 
 namespace uhas {
 
-/// Independent joint that decides the value of `joint`: its mimic master, or itself.
-int variable_of(const KinematicTree& tree, int joint);
-
-/// Sets an independent joint and lets its followers follow.
-void set_joint(const KinematicTree& tree, int variable, double value, std::span<double> q);
-
 /// The middle of a joint's range.
 double mid_range(const Joint& joint);
 

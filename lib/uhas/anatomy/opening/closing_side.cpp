@@ -5,6 +5,7 @@
 
 #include "uhas/anatomy/opening/preferred_value.hpp"
 #include "uhas/kinematics/forward_kinematics.hpp"
+#include "uhas/kinematics/mimics.hpp"
 
 namespace uhas {
 namespace {
@@ -26,7 +27,7 @@ ClosingSide weigh_ranges(const KinematicTree& tree, const FingerSkeleton& finger
   const FingerPose pose = pose_finger(tree, finger, q);
   double positive = 0, negative = 0;
   for (int position : flexion.positions) {
-    const int variable = variable_of(tree, finger.joints[position]);
+    const int variable = independent_joint(tree, finger.joints[position]);
     if (std::ranges::find(extended, variable) == extended.end()) continue;
     const Joint& joint = tree.joints[variable];
     const double rate = flexion_rate(tree, finger, pose, position, flexion.positions.back());
@@ -56,12 +57,12 @@ ClosingSide find_closing_side(const KinematicTree& tree, const FingerSkeleton& f
   // called open
   const int first = flexion.positions.front(), last = flexion.positions.back();
   std::vector<int> extended = straighten(tree, finger, flexion, q);
-  const int variable = variable_of(tree, finger.joints[first]);
+  const int variable = independent_joint(tree, finger.joints[first]);
   const Joint& base = tree.joints[variable];
   const bool is_free = std::ranges::find(extended, variable) == extended.end();
   const bool open_at_zero = zero_is_straight && has_zero(base);
   if (is_free && open_at_zero) {
-    set_joint(tree, variable, clamp_to_limits(base, 0.0), q);
+    set_with_followers(tree, variable, clamp_to_limits(base, 0.0), q);
     extended.push_back(variable);
   }
   const ClosingSide side = weigh_ranges(tree, finger, flexion, q, extended);
@@ -72,11 +73,11 @@ ClosingSide find_closing_side(const KinematicTree& tree, const FingerSkeleton& f
   const Vector3d outward = orthogonal_part(pose.origin[first] - hand_center, pose.axis[last]);
   if (norm(outward) <= kShortestWayOut * finger_length(tree, finger)) return side;
   const double outermost = preferred_value(base, 0, true, [&](double value) {
-    set_joint(tree, variable, value, q);
+    set_with_followers(tree, variable, value, q);
     const FingerPose turned = pose_finger(tree, finger, q);
     return dot(turned.tip - turned.origin[first], outward);
   });
-  set_joint(tree, variable, outermost, q);
+  set_with_followers(tree, variable, outermost, q);
   extended.push_back(variable);
   const ClosingSide with_base = weigh_ranges(tree, finger, flexion, q, extended);
   return {with_base.sign, std::min(with_base.evidence, kOutwardEvidence)};

@@ -7,6 +7,7 @@
 
 #include "uhas/anatomy/opening/preferred_value.hpp"
 #include "uhas/kinematics/forward_kinematics.hpp"
+#include "uhas/kinematics/mimics.hpp"
 
 namespace uhas {
 namespace {
@@ -35,13 +36,13 @@ class FingerBase {
         finger_(finger),
         flexion_(flexion),
         first_(flexion.positions.front()),
-        variable_(variable_of(tree, finger.joints[first_])),
+        variable_(independent_joint(tree, finger.joints[first_])),
         joint_(tree.joints[variable_]),
         sense_(flexion.closing.sign *
                flexion_rate(tree, finger, pose_finger(tree, finger, q), first_, flexion.positions.back())),
         q_(q) {}
 
-  void set(double value) { set_joint(tree_, variable_, clamp_to_limits(joint_, value), q_); }
+  void set(double value) { set_with_followers(tree_, variable_, clamp_to_limits(joint_, value), q_); }
 
   /// Turns it so that the finger closes by `angle` (rad).
   void close_by(double angle) { set(q_[variable_] + angle / sense_); }
@@ -58,7 +59,7 @@ class FingerBase {
   void continue_metacarpal(bool zero_is_neutral) {
     const double tolerance = kStraightTolerance * finger_length(tree_, finger_);
     set(preferred_value(joint_, tolerance, zero_is_neutral, [&](double value) {
-      set_joint(tree_, variable_, value, q_);
+      set_with_followers(tree_, variable_, value, q_);
       const FingerPose pose = pose_finger(tree_, finger_, q_);
       return norm(pose.tip - pose.origin.front());
     }));
@@ -153,10 +154,10 @@ ExtendedHand extend_hand(const HandSkeleton& hand, const HandMotion& motion, std
     const Flexion& flexion = motion.flexions[i];
     std::vector<double> alone = q;
     const BaseAngle found = extend_finger(hand.tree, finger, flexion, evidence, alone);
-    const bool is_stated = motion.held[variable_of(hand.tree, finger.joints[flexion.positions.front()])];
+    const bool is_stated = motion.held[independent_joint(hand.tree, finger.joints[flexion.positions.front()])];
     extended.bases.push_back(is_stated ? BaseAngle{} : found);
     for (int joint : finger.joints) {
-      const int variable = variable_of(hand.tree, joint);
+      const int variable = independent_joint(hand.tree, joint);
       sum[variable] += alone[variable];
       ++wanted[variable];
     }

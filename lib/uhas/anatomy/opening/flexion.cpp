@@ -5,6 +5,7 @@
 
 #include "uhas/anatomy/opening/preferred_value.hpp"
 #include "uhas/kinematics/forward_kinematics.hpp"
+#include "uhas/kinematics/mimics.hpp"
 
 namespace uhas {
 namespace {
@@ -69,7 +70,7 @@ double flexion_rate(const KinematicTree& tree, const FingerSkeleton& finger, con
 
 std::vector<int> straighten(const KinematicTree& tree, const FingerSkeleton& finger, const FlexionJoints& flexion,
                             std::span<double> q) {
-  const auto variable_at = [&](std::size_t i) { return variable_of(tree, finger.joints[flexion.positions[i]]); };
+  const auto variable_at = [&](std::size_t i) { return independent_joint(tree, finger.joints[flexion.positions[i]]); };
   const double tolerance = kStraightTolerance * finger_length(tree, finger);
   std::vector<int> set;
   for (std::size_t i = flexion.positions.size(); i-- > 1;) {
@@ -81,7 +82,7 @@ std::vector<int> straighten(const KinematicTree& tree, const FingerSkeleton& fin
     while (variable_at(first_driven) != variable) ++first_driven;
     const int base = flexion.positions[first_driven == 0 ? 0 : first_driven - 1];
     const auto reach = [&](double value) {
-      set_joint(tree, variable, value, q);
+      set_with_followers(tree, variable, value, q);
       const FingerPose pose = pose_finger(tree, finger, q);
       return norm(pose.tip - pose.origin[base]);
     };
@@ -90,7 +91,7 @@ std::vector<int> straighten(const KinematicTree& tree, const FingerSkeleton& fin
     const Joint& joint = tree.joints[variable];
     const double preferred = preferred_value(joint, tolerance, true, reach);
     const double straight = preferred_value(joint, 0, true, reach);
-    set_joint(tree, variable, std::abs(preferred - straight) <= kStraightAngle ? preferred : straight, q);
+    set_with_followers(tree, variable, std::abs(preferred - straight) <= kStraightAngle ? preferred : straight, q);
     set.push_back(variable);
   }
   return set;

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "uhas/anatomy/opening/preferred_value.hpp"
+#include "uhas/kinematics/finger_groups.hpp"
+#include "uhas/kinematics/mimics.hpp"
 
 namespace uhas {
 namespace {
@@ -24,31 +26,14 @@ struct FingerGroup {
   std::vector<int> variables;  ///< root to tip
 };
 
-std::vector<int> variables_of(const HandSkeleton& hand, int finger) {
-  std::vector<int> variables;
-  for (int joint : hand.fingers[finger].joints) {
-    const int variable = variable_of(hand.tree, joint);
-    if (std::ranges::find(variables, variable) == variables.end()) variables.push_back(variable);
-  }
-  return variables;
-}
-
-/// One group for each finger, merged with the earlier groups that it shares a variable with.
-std::vector<FingerGroup> group_fingers(const HandSkeleton& hand) {
+std::vector<FingerGroup> compile_groups(const HandSkeleton& hand) {
+  std::vector<std::vector<int>> variables;  // [finger]
+  for (const FingerSkeleton& finger : hand.fingers) variables.push_back(independent_joints(hand.tree, finger.joints));
   std::vector<FingerGroup> groups;
-  for (int finger = 0; finger < hand.finger_count(); ++finger) {
-    FingerGroup merged{{finger}, variables_of(hand, finger)};
-    const auto has = [&](int variable) {
-      return std::ranges::find(merged.variables, variable) != merged.variables.end();
-    };
-    std::erase_if(groups, [&](const FingerGroup& group) {
-      if (std::ranges::none_of(group.variables, has)) return false;
-      merged.fingers.insert(merged.fingers.end(), group.fingers.begin(), group.fingers.end());
-      for (int variable : group.variables)
-        if (!has(variable)) merged.variables.push_back(variable);
-      return true;
-    });
-    groups.push_back(std::move(merged));
+  for (const std::vector<int>& fingers : group_fingers(variables)) {
+    std::vector<int> joints;
+    for (int f : fingers) joints.insert(joints.end(), hand.fingers[f].joints.begin(), hand.fingers[f].joints.end());
+    groups.push_back({fingers, independent_joints(hand.tree, joints)});
   }
   return groups;
 }
@@ -65,7 +50,7 @@ class OpenPoseSearch {
   /// The groups of fingers that are opened together, with the variables to find. A gripper's fingers open by flexion
   /// alone: one that cannot lie flat would lean to its side for that.
   std::vector<FingerGroup> groups(Bases bases) const {
-    std::vector<FingerGroup> groups = group_fingers(hand_);
+    std::vector<FingerGroup> groups = compile_groups(hand_);
     for (FingerGroup& group : groups)
       std::erase_if(group.variables, [&](int variable) {
         const bool is_searched = is_base_flexion(group, variable) ? bases == Bases::searched : !normal_.opposing;
@@ -100,12 +85,12 @@ class OpenPoseSearch {
   }
 
   double try_value(const FingerGroup& group, int variable, double value, std::span<double> q) const {
-    set_joint(hand_.tree, variable, value, q);
+    set_with_followers(hand_.tree, variable, value, q);
     return openness(group, q);
   }
 
   int flexion_variable(int finger, std::size_t i) const {
-    return variable_of(hand_.tree, hand_.fingers[finger].joints[motion_.flexions[finger].positions[i]]);
+    return independent_joint(hand_.tree, hand_.fingers[finger].joints[motion_.flexions[finger].positions[i]]);
   }
 
   /// Distal flexion joints, a thumb's flexion joints and sliding jaws are open where `q` has them: straight, or at the
@@ -136,7 +121,7 @@ class OpenPoseSearch {
       for (std::size_t i = 0; i < count; ++i) {
         for (double value : {joint.lower, joint.upper}) {
           starts.push_back(starts[i]);
-          set_joint(hand_.tree, variable, value, starts.back());
+          set_with_followers(hand_.tree, variable, value, starts.back());
         }
       }
     }
@@ -150,7 +135,7 @@ class OpenPoseSearch {
       for (int variable : group.variables) {
         const double best = preferred_value(hand_.tree.joints[variable], kGain, motion_.zero_is_straight,
                                             [&](double candidate) { return try_value(group, variable, candidate, q); });
-        set_joint(hand_.tree, variable, best, q);
+        set_with_followers(hand_.tree, variable, best, q);
       }
       const double before = std::exchange(value, openness(group, q));
       if (!(value > before + kGain)) return value;
@@ -167,7 +152,7 @@ class OpenPoseSearch {
       const double value = preferred_value(
           hand_.tree.joints[variable], left, motion_.zero_is_straight,
           [&, trial = q](double candidate) mutable { return try_value(group, variable, candidate, trial); });
-      set_joint(hand_.tree, variable, value, q);
+      set_with_followers(hand_.tree, variable, value, q);
     }
   }
 

@@ -48,6 +48,7 @@ struct CompiledJoint : JointMotion<Real> {
   /// Frame F of the joint, moved by `value`.
   template <class Num>
   RigidTransform<Num> moved(const RigidTransform<Num>& F, const JointValue<Num>& value) const {
+    // a shift moves the origin along z, a turn rotates x and y about it
     const Vector3<Num> x = F.rotation.column(0), y = F.rotation.column(1), z = F.rotation.column(2);
     if (this->prismatic) return {F.rotation, F.translation + value.q * z};
     return {Rotation<Num>::from_columns(value.cosine * x + value.sine * y, value.cosine * y - value.sine * x, z),

@@ -42,6 +42,8 @@ SphereWrapper::Scope SphereWrapper::scope_of(std::span<const int> fingers) const
   Scope scope;
   for (const CascadeStep& step : steps_)
     if (std::ranges::find_first_of(step.fingers, fingers) != step.fingers.end()) scope.steps.push_back(&step);
+
+  // the joints of these fingers, and all that carry them
   std::vector<bool> needed(anatomy_.tree.joints.size());
   for (int f : fingers) {
     for (int i : anatomy_.fingers[f].joints) needed[i] = true;
@@ -59,6 +61,7 @@ void SphereWrapper::wrap(std::span<double> q) { wrap(whole_hand_, q); }
 void SphereWrapper::wrap_finger(int finger, std::span<double> q) { wrap(of_finger_[finger], q); }
 
 void SphereWrapper::wrap(const Scope& scope, std::span<double> q) {
+  // from open, one unknown after the other, root to tip
   for (int i : encompassing_) q[i] = anatomy_.q_open[i];
   apply_mimics(anatomy_.tree, q);
   for (const CascadeStep* step : scope.steps)
@@ -69,6 +72,7 @@ double SphereWrapper::wrapped_value(const Scope& scope, const CascadeStep& step,
   const Joint& joint = anatomy_.tree.joints[step.joint];
   const JointTravel<double> travel = travel_of(joint, anatomy_.q_open[step.joint], q_closed_[step.joint]);
 
+  // one hinge with one node: the node's circle about the axis meets the sphere in closed form (docs/method.md#wrap)
   const bool single = step.driven.size() == 1 && step.driven.front() == step.joint;
   if (joint.kind != JointKind::prismatic && single && step.nodes.size() == 1) {
     set_with_followers(anatomy_.tree, step.joint, 0, q);
@@ -78,6 +82,8 @@ double SphereWrapper::wrapped_value(const Scope& scope, const CascadeStep& step,
         Circle<double>::about(T.rotation * joint.axis, T.translation / frame_.radius, point(step.nodes[0]));
     return first_contact_with_sphere(circle, travel);
   }
+
+  // coupled joints, shared ones and slides: the way is scanned for where the nodes lie on the sphere in the mean
   const auto mean_gap = [&](double value) {
     set_with_followers(anatomy_.tree, step.joint, value, q);
     place(scope, q);

@@ -44,8 +44,8 @@ Vector3d fibonacci_direction(int i, int count) {
   return {radius * std::cos(azimuth), radius * std::sin(azimuth), z};
 }
 
-/// Between canonical and physical coordinates of S on a mirrored hand (docs/conventions.md#left-hands); its own
-/// inverse.
+/// Between canonical and physical coordinates of S on a mirrored hand (docs/conventions.md#left-hands);
+/// its own inverse.
 Vector3d mirror(Vector3d p) { return {p.x, -p.y, p.z}; }
 
 /// Sample `i` of `count` in S. A left hand gets the mirror image of a right hand's; a hand that is neither gets every

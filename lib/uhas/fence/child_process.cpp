@@ -46,7 +46,7 @@ void bound(int resource, rlim_t most) {
   ::setrlimit(static_cast<__rlimit_resource>(resource), &limit);
 }
 
-// False when nobody listens any more.
+/// False when nobody listens any more.
 bool write_all(int file, std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(file, bytes.data(), bytes.size());
@@ -91,7 +91,7 @@ void answer_error(int file, ErrorCode code, const std::string& text) {
 
 enum class Reading { whole, ended, too_long };
 
-// Fills `bytes` with what the child writes next.
+/// Fills `bytes` with what the child writes next.
 Reading read_all(int file, Clock::time_point deadline, std::span<std::byte> bytes) {
   while (!bytes.empty()) {
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();

@@ -25,7 +25,7 @@ Json JsonLines::document() const {
   return parse_json(line_, "");
 }
 
-// Up to the line break; false at the end of `in_`.
+/// Up to the line break; false at the end of `in_`.
 bool JsonLines::read_line() {
   line_.clear();
   const std::uint64_t before = bytes_read_;

@@ -101,9 +101,9 @@ bool jumps(const Hand& hand, int joint, int finger, std::vector<double> q, Sampl
   return std::abs(b.theta - a.theta) > step / 2;
 }
 
-/// The stretch of samples [first, last] with the widest azimuth range over which the azimuth runs one way, nowhere
-/// slower than 5 % of the sweep's median rate (docs/method.md#lateral-tables), without a step from k to k + 1 of which
-/// `jumps(k)`.
+/// The stretch of samples [first, last] with the widest azimuth range over which the azimuth runs one way,
+/// nowhere slower than 5 % of the sweep's median rate (docs/method.md#lateral-tables), without a step from k to k
+/// + 1 of which `jumps(k)`.
 std::pair<int, int> widest_monotone_stretch(std::span<const Sample> samples, const std::function<bool(int k)>& jumps) {
   const Rates rates = rates_of(samples);
   const auto usable = [&](int k) {

@@ -37,7 +37,7 @@ bool is_degenerate(Vector3d a, Vector3d b, Vector3d c) {
   return !(norm(cross(b - a, c - a)) > degenerate_area * longest * longest);
 }
 
-// Length of the diagonal of the bounding box.
+/// Length of the diagonal of the bounding box.
 double extent(const TriangleMesh& mesh, Vector3d scale) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Vector3d low{infinity, infinity, infinity}, high = -low;
@@ -49,7 +49,7 @@ double extent(const TriangleMesh& mesh, Vector3d scale) {
   return norm(Vector3d{size.x * scale.x, size.y * scale.y, size.z * scale.z});
 }
 
-// Length of the longest chain of joint origins.
+/// Length of the longest chain of joint origins.
 double skeleton_extent(const Urdf& urdf, const std::vector<OrderedLink>& order) {
   std::vector<double> reach(order.size());
   for (std::size_t i = 1; i < order.size(); ++i)
@@ -57,7 +57,7 @@ double skeleton_extent(const Urdf& urdf, const std::vector<OrderedLink>& order) 
   return *std::ranges::max_element(reach);
 }
 
-// The surfaces of links: mesh files are read first, all together, then placed with the other shapes.
+/// The surfaces of links: mesh files are read first, all together, then placed with the other shapes.
 class GeometryLoader {
  public:
   GeometryLoader(std::string urdf_file, const ModelLoadOptions& options, SourceLog& sources)
@@ -164,7 +164,7 @@ class GeometryLoader {
   std::uint64_t triangle_count_ = 0, vertex_count_ = 0;  // of all shapes, those that are left behind too
 };
 
-// Folds fixed joints: `links` get their carrying joint, `tree` the movable joints in the order of their child links.
+/// Folds fixed joints: `links` get their carrying joint, `tree` the movable joints in the order of their child links.
 void build_tree(const Urdf& urdf, const std::vector<OrderedLink>& order, const std::vector<FlatMimic>& mimics,
                 HandModel& model) {
   // a link hangs on its parent's joint by a fixed transform, or on a movable joint of its own

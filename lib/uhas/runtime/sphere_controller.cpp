@@ -98,7 +98,7 @@ Status SphereController<Real>::approach(std::span<const Real> solution, Real dt,
   return Status::ok;
 }
 
-// every independent joint one period on toward its goal, its followers after it
+/// every independent joint one period on toward its goal, its followers after it
 template <class Real>
 void SphereController<Real>::step(std::span<const Real> solution, Real dt, std::span<Real> targets) const noexcept {
   const Motions& motions = *motions_;
@@ -124,7 +124,7 @@ Status SphereController<Real>::check(std::span<const Real> q) const noexcept {
   return Status::ok;
 }
 
-// followers stand where their masters put them
+/// followers stand where their masters put them
 template <class Real>
 void SphereController<Real>::follow(std::span<Real> targets) const noexcept {
   for (std::size_t i = 0; i < targets.size(); ++i) {

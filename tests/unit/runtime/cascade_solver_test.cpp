@@ -26,8 +26,8 @@ std::vector<double> solve(const HandProfile& profile, const std::vector<double>&
   return q;
 }
 
-/// Weighted squared distance of the points from targets written down from the formulas of docs/method.md#targets and
-/// docs/method.md#closing.
+/// Weighted squared distance of the points from targets written down from the formulas of docs/method.md#targets
+/// and docs/method.md#closing.
 double cost(const HandProfile& profile, const std::vector<double>& q, double delta_theta, double delta_r) {
   std::vector<RigidTransformd> T(q.size());
   forward_kinematics(profile.tree, q, T);

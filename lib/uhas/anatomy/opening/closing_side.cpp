@@ -53,8 +53,8 @@ ClosingSide find_closing_side(const KinematicTree& tree, const FingerSkeleton& f
   std::vector<double> q = mid_pose(tree);
   if (flexion.sliding) return closing_side_of_jaw(pose_finger(tree, finger, q), flexion, hand_center);
 
-  // the joints between phalanges are extended where the finger is straight; the first one at a zero that its designer
-  // called open
+  // the joints between phalanges are extended where the finger is straight; the first one at a zero that its
+  // designer called open
   const int first = flexion.positions.front(), last = flexion.positions.back();
   std::vector<int> extended = straighten(tree, finger, flexion, q);
   const int variable = independent_joint(tree, finger.joints[first]);

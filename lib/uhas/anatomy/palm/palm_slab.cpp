@@ -16,8 +16,8 @@ constexpr double kSlabError = 0.1;
 
 Eigen::Vector3d to_eigen(Vector3d v) { return {v.x, v.y, v.z}; }
 
-/// Area, first and second moment of a surface about the origin of P, exact for flat triangles: over a triangle of area a
-/// with corners p and their sum s, the integral of x is a s / 3, that of x x^T is a (sum of p p^T + s s^T) / 12.
+/// Area, first and second moment of a surface about the origin of P, exact for flat triangles: over a triangle of area
+/// a with corners p and their sum s, the integral of x is a s / 3, that of x x^T is a (sum of p p^T + s s^T) / 12.
 struct SurfaceMoments {
   double area = 0;
   Eigen::Vector3d first = Eigen::Vector3d::Zero();

@@ -10,7 +10,8 @@ namespace uhas {
 #if defined(__x86_64__)
 namespace {
 
-// The instructions keep the state as (a b e f) and (c d g h) and do two rounds at a time; see Intel's "SHA Extensions".
+/// The instructions keep the state as (a b e f) and (c d g h) and do two rounds at a time; see
+/// Intel's "SHA Extensions".
 __attribute__((target("sha,sse4.1"))) void compress(Sha256State& state, std::span<const std::byte> blocks) {
   const __m128i big_endian = _mm_set_epi64x(0x0c0d0e0f08090a0b, 0x0405060700010203);
   auto* halves = reinterpret_cast<__m128i*>(state.data());

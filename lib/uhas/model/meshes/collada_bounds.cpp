@@ -14,13 +14,13 @@ namespace {
 constexpr std::string_view kSpace = " \t\r\n";
 constexpr std::array<std::string_view, 5> kIndexLists{"p", "h", "v", "vcount", "int_array"};
 
-// "p" of "<p>" and "<p a='b'>".
+/// "p" of "<p>" and "<p a='b'>".
 std::string_view name_of(std::string_view tag) {
   tag.remove_prefix(1);
   return tag.substr(0, tag.find_first_of(" \t\r\n/>"));
 }
 
-// The value of the attribute `count` in its quotes, empty when the tag has none.
+/// The value of the attribute `count` in its quotes, empty when the tag has none.
 std::string_view count_of(std::string_view tag) {
   for (std::size_t at = tag.find("count"); at != std::string_view::npos; at = tag.find("count", at + 1)) {
     if (at == 0 || kSpace.find(tag[at - 1]) == std::string_view::npos) continue;
@@ -36,7 +36,7 @@ std::string_view count_of(std::string_view tag) {
   return {};
 }
 
-// Whether `quoted` is a plain number of at most `most`.
+/// Whether `quoted` is a plain number of at most `most`.
 bool is_count(std::string_view quoted, std::size_t most) {
   if (quoted.size() < 3) return false;
   const std::string_view digits = quoted.substr(1, quoted.size() - 2);

@@ -21,7 +21,7 @@ constexpr int max_nesting = 64;
 // Plain files have at most one element a byte, compressed ones (Draco) a few.
 constexpr std::uint64_t max_elements_per_byte = 16;
 
-// The JSON of a glTF file: all of a .gltf, the first chunk of a .glb.
+/// The JSON of a glTF file: all of a .gltf, the first chunk of a .glb.
 std::string_view json_text(std::string_view bytes) {
   if (!bytes.starts_with("glTF")) return bytes;
   constexpr std::size_t header = 20;  // magic, version, length; length and type of the first chunk
@@ -63,8 +63,8 @@ std::uint64_t buffer_file_bytes(const json& document, const fs::path& folder) {
   return total;
 }
 
-// assimp makes a node anew for each way that leads to it, which from twenty nodes can be a million; glTF itself demands
-// that nodes form trees.
+/// assimp makes a node anew for each way that leads to it, which from twenty nodes can be a million; glTF itself
+/// demands that nodes form trees.
 void check_node_trees(const json& document, const fs::path& path) {
   const json none = json::array();
   const json& nodes = document.contains("nodes") ? document.at("nodes") : none;

@@ -10,7 +10,7 @@
 namespace uhas {
 namespace {
 
-// A list is its length, then its elements; both processes are one program, so these are in its own representation.
+/// A list is its length, then its elements; both processes are one program, so these are in its own representation.
 template <class List>
 void append(std::vector<std::byte>& bytes, const List& list) {
   static_assert(std::is_trivially_copyable_v<typename List::value_type>);

@@ -10,8 +10,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Absolute, without symbolic links, "." and ".."; as it is named where links cannot be followed, so neither can
-// they be read.
+/// Absolute, without symbolic links, "." and ".."; as it is named where links cannot be followed, so neither can
+/// they be read.
 fs::path resolved(const fs::path& path) {
   std::error_code failure;
   const fs::path full = fs::current_path() / path;

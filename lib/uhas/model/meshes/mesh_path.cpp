@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Folders that may be the package, best first.
+/// Folders that may be the package, best first.
 std::vector<fs::path> package_candidates(const std::string& name, const fs::path& urdf_folder,
                                          const std::vector<PackageFolder>& packages) {
   std::vector<fs::path> candidates;

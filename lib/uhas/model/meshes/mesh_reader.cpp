@@ -43,8 +43,8 @@ std::string lower_case_extension(const fs::path& path) {
   return extension;
 }
 
-// All that assimp sees of the file system: the mesh file, and the buffers beside a glTF file. Materials and textures do
-// not exist, so that they are neither needed nor read.
+/// All that assimp sees of the file system: the mesh file, and the buffers beside a glTF file. Materials and textures
+/// do not exist, so that they are neither needed nor read.
 class MeshFiles : public Assimp::IOSystem {
  public:
   MeshFiles(fs::path mesh, std::string reference, const ModelLoadOptions& options, const MeshFolders& folders,
@@ -94,7 +94,7 @@ class MeshFiles : public Assimp::IOSystem {
   std::map<fs::path, std::vector<std::byte>> contents_;
 };
 
-// Leaves in `importer` only the readers of that file extension.
+/// Leaves in `importer` only the readers of that file extension.
 void restrict_to(const std::string& extension, Assimp::Importer& importer) {
   for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
     std::istringstream list(importer.GetImporterInfo(i)->mFileExtensions);
@@ -106,7 +106,7 @@ void restrict_to(const std::string& extension, Assimp::Importer& importer) {
   }
 }
 
-// An affine map in double precision; nodes may scale and mirror.
+/// An affine map in double precision; nodes may scale and mirror.
 struct Affine {
   std::array<Vector3d, 3> rows{Vector3d{1, 0, 0}, Vector3d{0, 1, 0}, Vector3d{0, 0, 1}};
   Vector3d translation;
@@ -184,7 +184,7 @@ class SceneFlattener {
   TriangleMesh mesh_;
 };
 
-// What fails for want of memory is no fault of the file, which assimp would blame.
+/// What fails for want of memory is no fault of the file, which assimp would blame.
 void rethrow_want_of_memory(const std::exception_ptr& exception) {
   try {
     std::rethrow_exception(exception);

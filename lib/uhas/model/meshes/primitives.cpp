@@ -15,7 +15,7 @@ struct ProfilePoint {
   double radius, z;
 };
 
-// Turns a profile about z. It runs from the bottom pole to the top pole, and both have radius 0.
+/// Turns a profile about z. It runs from the bottom pole to the top pole, and both have radius 0.
 TriangleMesh revolve(std::span<const ProfilePoint> profile) {
   TriangleMesh mesh;
   const auto inner = profile.subspan(1, profile.size() - 2);
@@ -42,7 +42,7 @@ TriangleMesh revolve(std::span<const ProfilePoint> profile) {
   return mesh;
 }
 
-// A sphere cut at its equator, the halves `length` apart.
+/// A sphere cut at its equator, the halves `length` apart.
 TriangleMesh revolve_half_spheres(double radius, double length) {
   std::vector<ProfilePoint> profile;
   for (const double end : {-0.5, 0.5})

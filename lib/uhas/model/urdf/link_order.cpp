@@ -7,7 +7,7 @@
 namespace uhas {
 namespace {
 
-// Index of the element with that name in a list sorted by name, -1 when there is none.
+/// Index of the element with that name in a list sorted by name, -1 when there is none.
 template <class List, class Name>
 int find_by_name(const List& list, const std::string& name, Name name_of) {
   const auto found = std::ranges::lower_bound(list, name, {}, name_of);

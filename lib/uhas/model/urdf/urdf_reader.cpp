@@ -19,7 +19,7 @@ constexpr double max_length = 100;        // m
 constexpr double max_joint_value = 1000;  // rad or m
 constexpr double max_factor = 1e6;        // mesh scales, mimic multipliers
 
-// Keeps urdfdom's complaints, which are its only report of what it drops, off the console.
+/// Keeps urdfdom's complaints, which are its only report of what it drops, off the console.
 class ComplaintRecorder : public console_bridge::OutputHandler {
  public:
   void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {

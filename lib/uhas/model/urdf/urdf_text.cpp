@@ -65,14 +65,14 @@ std::string name_of(const TiXmlElement& element, const std::string& file) {
   return name;
 }
 
-// The `link` attribute of a joint's parent or child; empty when there is none.
+/// The `link` attribute of a joint's parent or child; empty when there is none.
 std::string link_of(const TiXmlElement& joint, const char* end) {
   const TiXmlElement* element = joint.FirstChildElement(end);
   const char* link = element != nullptr ? element->Attribute("link") : nullptr;
   return link != nullptr ? link : "";
 }
 
-// urdfdom frees a chain of links by recursion, so a chain as long as the file allows must not reach it.
+/// urdfdom frees a chain of links by recursion, so a chain as long as the file allows must not reach it.
 void check_link_count(const TiXmlElement& robot, const std::string& file, std::uint64_t max_links) {
   std::uint64_t links = 0;
   for (const TiXmlElement* link = robot.FirstChildElement("link"); link != nullptr;
@@ -84,8 +84,8 @@ void check_link_count(const TiXmlElement& robot, const std::string& file, std::u
                 "cut the hand out of its robot or raise ModelLoadOptions::max_links");
 }
 
-// urdfdom keeps graphs with a cycle in memory for ever and tells little of the others it refuses, so a graph that is no
-// tree must not reach it.
+/// urdfdom keeps graphs with a cycle in memory for ever and tells little of the others it refuses, so a graph that is
+/// no tree must not reach it.
 void check_tree(const TiXmlElement& robot, const std::string& file) {
   Urdf skeleton;
   for (const TiXmlElement* child = robot.FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {

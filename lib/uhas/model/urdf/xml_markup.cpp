@@ -7,7 +7,7 @@
 namespace uhas {
 namespace {
 
-// Position just after the markup that starts at `start` ("<..."), npos when it does not end.
+/// Position just after the markup that starts at `start` ("<..."), npos when it does not end.
 std::size_t end_of_markup(std::string_view text, std::size_t start) {
   const auto after = [&](std::string_view terminator) {
     const std::size_t found = text.find(terminator, start);

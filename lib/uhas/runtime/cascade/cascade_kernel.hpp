@@ -37,14 +37,14 @@ void Cascade<Num, Wide>::run(const Model& model) noexcept {
   }
 }
 
-// the plane that a finger's lateral joint and its contacts follow
+/// the plane that a finger's lateral joint and its contacts follow
 template <class Num, class Wide>
 const PlaneDeformation<Num>& Cascade<Num, Wide>::plane_of(const Model& model, int finger) const noexcept {
   return model.options.field == FieldReading::finger ? planes[finger]
                                                      : group_planes_[model.plane_groups.of_finger[finger]];
 }
 
-// joint values before the cascade
+/// joint values before the cascade
 template <class Num, class Wide>
 void Cascade<Num, Wide>::begin_joints(const Model& model, const SolverPart& part) noexcept {
   JointState* const states = joints_.data();
@@ -75,8 +75,8 @@ void Cascade<Num, Wide>::begin_joints(const Model& model, const SolverPart& part
   }
 }
 
-// the moments of every joint's own points, patch by patch, each on its finger's own plane; joints without points have
-// none from the beginning
+/// the moments of every joint's own points, patch by patch, each on its finger's own plane; joints without points have
+/// none from the beginning
 template <class Num, class Wide>
 void Cascade<Num, Wide>::sum_targets(const Model& model, const SolverPart& part) noexcept {
   for (int f : part.fingers) {
@@ -98,7 +98,7 @@ void Cascade<Num, Wide>::sum_targets(const Model& model, const SolverPart& part)
   }
 }
 
-// one pass (docs/method.md#passes)
+/// one pass (docs/method.md#passes)
 template <class Num, class Wide>
 void Cascade<Num, Wide>::sweep(const Model& model, const SolverPart& part, const Pass& pass) noexcept {
   // inward: what each joint carries
@@ -124,7 +124,7 @@ void Cascade<Num, Wide>::sweep(const Model& model, const SolverPart& part, const
   }
 }
 
-// moments from the tips inward, with the joints further out at their present values (docs/method.md#moments)
+/// moments from the tips inward, with the joints further out at their present values (docs/method.md#moments)
 template <class Num, class Wide>
 void Cascade<Num, Wide>::carry_moments(const Model& model, std::span<const ScopedJoint> scope,
                                        const Pass& pass) noexcept {
@@ -147,7 +147,7 @@ void Cascade<Num, Wide>::carry_moments(const Model& model, std::span<const Scope
   }
 }
 
-// the joint's frame F in S, its parents moved and the joint itself not
+/// the joint's frame F in S, its parents moved and the joint itself not
 template <class Num, class Wide>
 RigidTransform<Num> Cascade<Num, Wide>::frame_before_motion(const Model& model, int joint) const noexcept {
   const SolverJoint<Real>& j = model.joints[joint];
@@ -162,7 +162,7 @@ void Cascade<Num, Wide>::move_frames(const Model& model, std::span<const ScopedJ
         model.joints[s.joint].moved(frame_before_motion(model, s.joint), joints_[s.joint].value);
 }
 
-// `F` is the frame of the step's first joint before its own motion
+/// `F` is the frame of the step's first joint before its own motion
 template <class Num, class Wide>
 void Cascade<Num, Wide>::solve_step(const Model& model, const SolverStep& step, const RigidTransform<Num>& F,
                                     const Pass& pass) noexcept {
@@ -211,7 +211,7 @@ typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::fit_step(const Model& model
   return step.single ? fit_single(model, step, F, pass) : fit_group(model, step, pass);
 }
 
-// The value of least squares in closed form, seen from the present one (docs/method.md#one-joint).
+/// The value of least squares in closed form, seen from the present one (docs/method.md#one-joint).
 template <class Num, class Wide>
 typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::fit_single(const Model& model, const SolverStep& step,
                                                                 const RigidTransform<Num>& F,
@@ -256,7 +256,7 @@ typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::fit_single(const Model& mod
                         (present.cosine * sine + present.sine * cosine) * per_length});
 }
 
-// `value` clamped; cosine and sine of the limits are at hand
+/// `value` clamped; cosine and sine of the limits are at hand
 template <class Num, class Wide>
 typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::within_limits(const SolverJoint<Real>& joint,
                                                                    const JointValue<Num>& value) const noexcept {
@@ -268,7 +268,7 @@ typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::within_limits(const SolverJ
   return {choose(below, joint.lower.template cast<Num>(), held), outside};
 }
 
-// the step's joint to `value`, its followers after it
+/// the step's joint to `value`, its followers after it
 template <class Num, class Wide>
 void Cascade<Num, Wide>::set_unknown(const Model& model, const SolverStep& step,
                                      const JointValue<Num>& value) noexcept {
@@ -280,8 +280,8 @@ void Cascade<Num, Wide>::set_unknown(const Model& model, const SolverStep& step,
   }
 }
 
-// Each joint goes to its closed end by the share of points that closing has taken (docs/method.md#closing). Only now: a
-// child fitted to a parent that has faded already would open to make up for it.
+/// Each joint goes to its closed end by the share of points that closing has taken (docs/method.md#closing). Only now: a
+/// child fitted to a parent that has faded already would open to make up for it.
 template <class Num, class Wide>
 void Cascade<Num, Wide>::close_faded(const Model& model, const SolverPart& part) noexcept {
   JointState* const states = joints_.data();

@@ -9,7 +9,7 @@
 
 namespace uhas {
 
-// origin of the node's joint, or the fingertip, in `joint`'s frame with `joint` itself at zero
+/// origin of the node's joint, or the fingertip, in `joint`'s frame with `joint` itself at zero
 template <class Num, class Wide>
 Vector3<Num> Cascade<Num, Wide>::node_in_frame(const Model& model, const ContactNode& node, int joint) const noexcept {
   // from the node's own frame inward, joint by joint
@@ -30,7 +30,7 @@ Real gap_to_profile(const PlaneDeformation<Real>& plane, Vector3<Real> p) {
   return norm(p) - std::max(Real(1) + plane.at(phi).delta_r, Real(0));
 }
 
-// turn from open until the node meets the profile of its finger's plane
+/// turn from open until the node meets the profile of its finger's plane
 template <class Num, class Wide>
 Num Cascade<Num, Wide>::contact_single(const Model& model, const SolverStep& step,
                                        const RigidTransform<Num>& F) noexcept {
@@ -48,7 +48,7 @@ Num Cascade<Num, Wide>::contact_single(const Model& model, const SolverStep& ste
   return first_contact_by_scan<Num>([&](Num t) { return gap_to_profile(plane, circle.at(t)); }, joint.travel);
 }
 
-// the same for coupled joints, several fingers and sliding joints: the nodes' mean gap decides
+/// the same for coupled joints, several fingers and sliding joints: the nodes' mean gap decides
 template <class Num, class Wide>
 Num Cascade<Num, Wide>::contact_group(const Model& model, const SolverStep& step) noexcept {
   const JointValue<Num> present = joints_[step.joint].value;

@@ -7,8 +7,8 @@
 
 namespace uhas {
 
-// Joints coupled by mimics have no closed form: Newton's method follows the descent from the present value to the first
-// minimum on the way, in steps of a quarter of the range at most and within the bracket it has found.
+/// Joints coupled by mimics have no closed form: Newton's method follows the descent from the present value to the first
+/// minimum on the way, in steps of a quarter of the range at most and within the bracket it has found.
 template <class Num, class Wide>
 typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::fit_group(const Model& model, const SolverStep& step,
                                                                const Pass& pass) noexcept {
@@ -45,7 +45,7 @@ typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::fit_group(const Model& mode
   return {value, held};
 }
 
-// slope and bend at this value of the group's unknown
+/// slope and bend at this value of the group's unknown
 template <class Num, class Wide>
 typename Cascade<Num, Wide>::Descent Cascade<Num, Wide>::descent(const Model& model, const SolverStep& step,
                                                                  const JointValue<Num>& value,

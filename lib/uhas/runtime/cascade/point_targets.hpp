@@ -16,7 +16,7 @@ void Cascade<Num, Wide>::average_planes(const Model& model) noexcept {
     group_planes_[g] = mean_plane(planes, model.plane_groups.fingers[g], model.options.convention.held_toward_pole);
 }
 
-// where a material point goes (docs/method.md#targets), and what closing leaves of it
+/// where a material point goes (docs/method.md#targets), and what closing leaves of it
 template <class Num, class Wide>
 typename Cascade<Num, Wide>::Target Cascade<Num, Wide>::target_of(const Model& model,
                                                                   const SolverPoint<Real>& point) const noexcept {
@@ -36,7 +36,7 @@ typename Cascade<Num, Wide>::Target Cascade<Num, Wide>::target_of(const Model& m
           open_share<Num>(moved.radial, model.options.closing)};
 }
 
-// the moments of every joint's own points in the interpolated field, where each has a displacement of its own
+/// the moments of every joint's own points in the interpolated field, where each has a displacement of its own
 template <class Num, class Wide>
 void Cascade<Num, Wide>::sum_points(const Model& model) noexcept {
   for (JointState& state : joints_) state.own = {};

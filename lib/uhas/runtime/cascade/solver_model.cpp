@@ -12,8 +12,8 @@
 namespace uhas {
 namespace {
 
-/// Factor on a point's weight for each unknown between it and the joint being solved, in a single pass
-/// (docs/method.md#decay).
+/// Factor on a point's weight for each unknown between it and the joint being solved, in a single
+/// pass (docs/method.md#decay).
 constexpr double kDecay = 0.5;
 
 bool contains(const std::vector<int>& list, int value) {

@@ -15,10 +15,10 @@ namespace {
 
 constexpr int kMaxUnknowns = kSlotCount * (1 + kMaxDrivingVectors);  // five fingers in one group
 
-// Added to the displacements of the linear start, one start after the other: to those of the first and third
-// driving vector, and to those of the second and fourth. Closing begins to fade at delta r = -0.5, with zero slope,
-// so a descent that comes from above does not enter: the second start lies beyond. Neighbours may also fit the
-// wrong way round.
+/// Added to the displacements of the linear start, one start after the other: to those of the first and third
+/// driving vector, and to those of the second and fourth. Closing begins to fade at delta r = -0.5, with zero slope,
+/// so a descent that comes from above does not enter: the second start lies beyond. Neighbours may also fit the
+/// wrong way round.
 struct StartShift {
   double odd, even;
 };
@@ -72,7 +72,7 @@ void Encoding<Real>::run(const EncoderModel& model, std::span<const Real> q) noe
   }
 }
 
-// asked for: any posture, continuous joints within one turn of their middle; the target: what a solve can give of it
+/// asked for: any posture, continuous joints within one turn of their middle; the target: what a solve can give of it
 template <class Real>
 void Encoding<Real>::set_target(const EncoderModel& model, std::span<const Real> q) noexcept {
   for (std::size_t i = 0; i < q.size(); ++i) {
@@ -88,7 +88,7 @@ void Encoding<Real>::set_target(const EncoderModel& model, std::span<const Real>
   apply_mimics(model.tree, target_);
 }
 
-// the linear start, displaced; a group that has settled stays
+/// the linear start, displaced; a group that has settled stays
 template <class Real>
 void Encoding<Real>::begin(const EncoderModel& model, double odd_shift, double even_shift) noexcept {
   for (std::size_t g = 0; g < model.groups.size(); ++g) {
@@ -103,7 +103,7 @@ void Encoding<Real>::begin(const EncoderModel& model, double odd_shift, double e
   }
 }
 
-// Levenberg's method: step by step downhill, each group with a damping of its own, all groups with the same solves
+/// Levenberg's method: step by step downhill, each group with a damping of its own, all groups with the same solves
 template <class Real>
 void Encoding<Real>::descend(const EncoderModel& model, CascadeSolver<Real>& solver, Freedom freedom,
                              int steps) noexcept {
@@ -118,7 +118,7 @@ void Encoding<Real>::descend(const EncoderModel& model, CascadeSolver<Real>& sol
   }
 }
 
-// the posture of an action, and how far each group is from the target: the sum of its squared errors
+/// the posture of an action, and how far each group is from the target: the sum of its squared errors
 template <class Real>
 void Encoding<Real>::solve(const EncoderModel& model, CascadeSolver<Real>& solver, Attempt& attempt) noexcept {
   model.write_action<Real>(attempt.actions, values_);
@@ -130,8 +130,8 @@ void Encoding<Real>::solve(const EncoderModel& model, CascadeSolver<Real>& solve
   }
 }
 
-// derivatives of every group's joints with respect to its unknowns, as differences of solves: one solve serves the u-th
-// unknown of all groups
+/// derivatives of every group's joints with respect to its unknowns, as differences of solves: one solve serves the
+/// u-th unknown of all groups
 template <class Real>
 void Encoding<Real>::differentiate(const EncoderModel& model, CascadeSolver<Real>& solver, Freedom freedom) noexcept {
   // long enough that rounding spoils no more than a third of a difference's digits
@@ -161,8 +161,8 @@ void Encoding<Real>::differentiate(const EncoderModel& model, CascadeSolver<Real
   }
 }
 
-// from `now_` to the action of `trial_`: one damped Gauss-Newton step of every group
-//   min over change of  sum over joints (error + sum over u of derivative_u change_u)^2 + damping |change|^2
+/// from `now_` to the action of `trial_`: one damped Gauss-Newton step of every group
+///   min over change of  sum over joints (error + sum over u of derivative_u change_u)^2 + damping |change|^2
 template <class Real>
 void Encoding<Real>::step(const EncoderModel& model, Freedom freedom) noexcept {
   std::copy(now_.actions.begin(), now_.actions.end(), trial_.actions.begin());
@@ -191,7 +191,7 @@ void Encoding<Real>::step(const EncoderModel& model, Freedom freedom) noexcept {
   }
 }
 
-// a step downhill is taken and the next one is bolder; a step uphill is forgotten and the next one shorter
+/// a step downhill is taken and the next one is bolder; a step uphill is forgotten and the next one shorter
 template <class Real>
 void Encoding<Real>::keep_better(const EncoderModel& model) noexcept {
   for (std::size_t g = 0; g < model.groups.size(); ++g) {
@@ -204,7 +204,7 @@ void Encoding<Real>::keep_better(const EncoderModel& model) noexcept {
   }
 }
 
-// every group has settled, or finds nothing better however short its step
+/// every group has settled, or finds nothing better however short its step
 template <class Real>
 bool Encoding<Real>::has_ended() const noexcept {
   for (std::size_t g = 0; g < damping_.size(); ++g)
@@ -235,7 +235,7 @@ bool Encoding<Real>::is_settled(double cost) noexcept {
   return cost <= kSettled * kSettled;
 }
 
-// against the posture asked for, not the target: what lies beyond a limit counts
+/// against the posture asked for, not the target: what lies beyond a limit counts
 template <class Real>
 EncodeReport Encoding<Real>::report(const EncoderModel& model) const noexcept {
   EncodeReport report;

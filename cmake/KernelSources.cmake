@@ -22,10 +22,14 @@ function(uhas_kernel_source target file)
 endfunction()
 
 # uhas_kernel_sources(<target> <name>): adds <name>_baseline.cpp and, where the compiler has AVX2, <name>_avx2.cpp, which alone
-# is compiled for it.
+# is compiled for it. With NO_FMA it rounds as the other does, and lanes that do the same give the same bits.
 function(uhas_kernel_sources target name)
   uhas_kernel_source(${target} ${name}_baseline.cpp -fno-exceptions)
   if(UHAS_HAS_AVX2_SOURCES)
-    uhas_kernel_source(${target} ${name}_avx2.cpp -fno-exceptions -mavx2 -mfma)
+    set(wide -mavx2 -mfma)
+    if(NO_FMA IN_LIST ARGN)
+      set(wide -mavx2)
+    endif()
+    uhas_kernel_source(${target} ${name}_avx2.cpp -fno-exceptions ${wide})
   endif()
 endfunction()

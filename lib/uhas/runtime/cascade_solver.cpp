@@ -1,23 +1,12 @@
 #include "uhas/runtime/cascade_solver.hpp"
 
-#include "uhas/runtime/cascade/contact_rule.hpp"
-#include "uhas/runtime/cascade/point_targets.hpp"
-#include "uhas/runtime/lanes/cascade_lanes_kernel.hpp"
+#include "uhas/runtime/cascade/single_hand.hpp"
 
 namespace uhas {
-namespace {
-
-struct Here {};
-
-/// 128 bits of points at a time, where a patch is visited point by point.
-template <class Real>
-using Wide = Lanes<Real, 16 / int(sizeof(Real)), Here>;
-
-}  // namespace
 
 template <class Real>
-struct CascadeSolver<Real>::Scratch : Cascade<Real, Wide<Real>> {
-  using Cascade<Real, Wide<Real>>::Cascade;
+struct CascadeSolver<Real>::Scratch : SingleHand<Real> {
+  using SingleHand<Real>::SingleHand;
 };
 
 template <class Real>
@@ -28,7 +17,7 @@ CascadeSolver<Real>::CascadeSolver(const HandProfile& profile, const SolveOption
 
 template <class Real>
 CascadeSolver<Real>::CascadeSolver(const CascadeSolver& other)
-    : model_(other.model_), scratch_(std::make_unique<Scratch>(*other.model_)) {}
+    : model_(other.model_), scratch_(std::make_unique<Scratch>(*other.scratch_)) {}
 
 template <class Real>
 CascadeSolver<Real>& CascadeSolver<Real>::operator=(const CascadeSolver& other) {
@@ -51,12 +40,7 @@ template <class Real>
 Status CascadeSolver<Real>::solve(const Action<Real>& action, std::span<Real> q) noexcept {
   if (q.size() != model_->joints.size()) return Status::wrong_size;
   if (const Status status = model_->decoder.check(action); status != Status::ok) return status;
-  // numbers to the deformation of each finger's plane, deformations to joint values
-  Scratch& cascade = *scratch_;
-  model_->decoder.decode(model_->decoder.numbers_of(action), cascade.planes.data());
-  cascade.run(*model_);
-  // out in the profile's units
-  for (std::size_t i = 0; i < q.size(); ++i) q[i] = model_->joints[i].in_profile_units(cascade.q(static_cast<int>(i)));
+  scratch_->solve(model_->decoder.numbers_of(action), q);
   return Status::ok;
 }
 
@@ -69,21 +53,8 @@ Status CascadeSolver<Real>::solve(const Action<Real>& action, std::span<Real> q,
   if (!fits(report.at_limit) || !fits(report.closed)) return Status::wrong_size;
   const Status status = solve(action, q);
   if (status != Status::ok) return status;
-  // the scratch still holds the solve
-  Scratch& cascade = *scratch_;
-  report.residual_rms = cascade.residual_rms(*model_);
-  for (std::size_t i = 0; i < report.at_limit.size(); ++i) report.at_limit[i] = cascade.at_limit(static_cast<int>(i));
-  for (std::size_t i = 0; i < report.closed.size(); ++i) report.closed[i] = cascade.closed(static_cast<int>(i));
+  scratch_->report(model_->decoder.numbers_of(action), q, report);
   return Status::ok;
-}
-
-template <>
-CascadeLanes<float> cascade_lanes_scalar() {
-  return CascadeLanesOf<float, Wide<float>>::functions();
-}
-template <>
-CascadeLanes<double> cascade_lanes_scalar() {
-  return CascadeLanesOf<double, Wide<double>>::functions();
 }
 
 template class CascadeSolver<float>;

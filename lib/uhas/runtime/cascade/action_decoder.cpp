@@ -40,9 +40,20 @@ ActionDecoder<Real>::ActionDecoder(const HandProfile& profile, const ActionConve
     }
     owners_.push_back(owner);
   }
-  for (int vectors = 1; vectors <= kMaxDrivingVectors; ++vectors)
-    for (int j = 0; j < vectors; ++j)
+  for (int vectors = 1; vectors <= kMaxDrivingVectors; ++vectors) {
+    std::array<double, kMaxDrivingVectors> phi;
+    for (int j = 0; j < vectors; ++j) {
       default_phi_[vectors - 1][j] = std::numbers::pi_v<Real> * Real(j + 1) / Real(vectors + 1);
+      phi[j] = std::numbers::pi * (j + 1) / (vectors + 1);
+    }
+    // two vectors stand where leads look
+    for (int u = 0; u < kLeadInputs; ++u)
+      for (int j = 0; j < vectors; ++j)
+        lead_shares_[vectors - 1][u][j] =
+            vectors == kLeadInputs ? Real(u == j)
+                                   : static_cast<Real>(displacement_share(kLeadAngles[u], std::span(phi).first(vectors),
+                                                                          j, convention.held_toward_pole));
+  }
 }
 
 template <class Real>

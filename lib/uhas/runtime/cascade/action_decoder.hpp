@@ -65,48 +65,69 @@ class ActionDecoder {
             .radial_bounds = data_or_null(action.radial_bounds)};
   }
 
+  /// [V] polar angles of driving vectors that an action does not place, rad.
+  std::span<const Real> default_angles(int vectors) const noexcept {
+    return {default_phi_[vectors - 1].data(), std::size_t(vectors)};
+  }
+
+  /// What a radius at default driving vector `j` displaces at `kLeadAngles[input]`.
+  Real lead_share(int vectors, int input, int j) const noexcept { return lead_shares_[vectors - 1][input][j]; }
+
   /// One deformation a finger. `planes`: [finger].
   template <class Num>
   void decode(const ActionNumbers<Num>& action, PlaneDeformation<Num>* planes) const noexcept {
+    for (std::size_t f = 0; f < owners_.size(); ++f) decode_finger(action, static_cast<int>(f), planes[f]);
+  }
+
+  template <class Num>
+  void decode_finger(const ActionNumbers<Num>& action, int finger, PlaneDeformation<Num>& plane) const noexcept {
+    plane.vectors = action.vectors;
+    plane.delta_theta = decode_numbers(action, finger, plane.delta_r.data());
+    plane.common_angles = action.angles == 0 || action.common_phi;
+    const Owner& owner = owners_[finger];
+    for (int j = 0; j < action.vectors; ++j) {
+      if (action.angles == 0) {
+        plane.phi[j] = Num(default_phi_[action.vectors - 1][j]);
+        continue;
+      }
+      Num sum(0);
+      for (int n = 0; n < owner.slot_count; ++n)
+        sum += action.phi[(action.angles == action.vectors ? 0 : action.vectors * owner.slots[n]) + j];
+      plane.phi[j] = sum * Num(owner.share);
+    }
+    plane.complete(convention_.held_toward_pole, action.angles == 0);
+  }
+
+  /// delta theta (rad) of a finger, and its displacements (radii): the means over its slots.
+  /// @param delta_r  [V] out
+  template <class Num>
+  Num decode_numbers(const ActionNumbers<Num>& action, int finger, Num* delta_r) const noexcept {
+    const Owner& owner = owners_[finger];
     const int vectors = action.vectors;
     // what the convention and the call say of all slots: bounds, the input of the undeformed sphere, the azimuth's sign
     const bool own_bounds = action.radial_bounds != nullptr;
     const Num lowest = own_bounds ? action.radial_bounds[0] : Num(Real(convention_.radial_lower));
     const Num highest = own_bounds ? action.radial_bounds[1] : Num(Real(convention_.radial_upper));
     const Num at_rest(convention_.absolute_radii ? Real(1) : Real(0));
-    const Num sign(Real(convention_.azimuth_sign));
-    for (std::size_t f = 0; f < owners_.size(); ++f) {
-      const Owner& owner = owners_[f];
-      PlaneDeformation<Num>& plane = planes[f];
-      // begin the sums over the finger's slots
-      plane.vectors = vectors;
-      plane.delta_theta = Num(0);
-      for (int j = 0; j < vectors; ++j) plane.delta_r[j] = plane.phi[j] = Num(0);
-      plane.common_angles = action.angles == 0 || action.common_phi;
-      for (int n = 0; n < owner.slot_count; ++n) {
-        const int slot = owner.slots[n];
-        // azimuth: bounded, turned on by an offset, bounded again
-        const Num lower(owner.lower), upper(owner.upper);
-        Num delta_theta = bounded(sign * action.values[slot], lower, upper, action.normalized);
-        if (action.azimuth_offsets != nullptr)
-          delta_theta = clamp(delta_theta + action.azimuth_offsets[slot], lower, upper);
-        plane.delta_theta += delta_theta;
-        // displacements at the driving vectors: bounded, counted from the undeformed sphere
-        for (int j = 0; j < vectors; ++j) {
-          const Num& input = action.values[kSlotCount + vectors * slot + j];
-          plane.delta_r[j] += bounded(input, lowest, highest, action.normalized) - at_rest;
-          if (action.angles != 0) plane.phi[j] += action.phi[(action.angles == vectors ? 0 : vectors * slot) + j];
-        }
-      }
-      // their mean, and all that follows from it
-      const Num share(owner.share);
-      plane.delta_theta *= share;
+    const Num sign(Real(convention_.azimuth_sign)), lower(owner.lower), upper(owner.upper);
+
+    Num sum(0);
+    for (int j = 0; j < vectors; ++j) delta_r[j] = Num(0);
+    for (int n = 0; n < owner.slot_count; ++n) {
+      const int slot = owner.slots[n];
+      // azimuth: bounded, turned on by an offset, bounded again
+      Num delta_theta = bounded(sign * action.values[slot], lower, upper, action.normalized);
+      if (action.azimuth_offsets != nullptr)
+        delta_theta = clamp(delta_theta + action.azimuth_offsets[slot], lower, upper);
+      sum += delta_theta;
+      // displacements at the driving vectors: bounded, counted from the undeformed sphere
       for (int j = 0; j < vectors; ++j) {
-        plane.delta_r[j] *= share;
-        plane.phi[j] = action.angles == 0 ? Num(default_phi_[vectors - 1][j]) : plane.phi[j] * share;
+        const Num& input = action.values[kSlotCount + vectors * slot + j];
+        delta_r[j] += bounded(input, lowest, highest, action.normalized) - at_rest;
       }
-      plane.complete(convention_.held_toward_pole, action.angles == 0);
     }
+    for (int j = 0; j < vectors; ++j) delta_r[j] *= Num(owner.share);
+    return sum * Num(owner.share);
   }
 
  private:
@@ -126,6 +147,7 @@ class ActionDecoder {
   ActionConvention convention_;
   std::vector<Owner> owners_;                                                           // [finger]
   std::array<std::array<Real, kMaxDrivingVectors>, kMaxDrivingVectors> default_phi_{};  // [V - 1][j]
+  std::array<std::array<std::array<Real, kMaxDrivingVectors>, kLeadInputs>, kMaxDrivingVectors> lead_shares_{};
 };
 
 extern template class ActionDecoder<float>;

@@ -13,9 +13,9 @@ namespace uhas {
 
 /// Everything a solve writes, sized once; running it allocates nothing. Joint values are in solver units.
 /// @tparam Num   float or double for one hand, Lanes for as many hands as it has lanes. No lane depends on another.
-/// @tparam Wide  Lanes of the same real numbers, for the points of a patch
+/// @tparam Visit  called for a patch that fades: visit(columns, profile, closing), its moments point by point
 /// The rule `contact` and the field reading `field` need a plain number.
-template <class Num, class Wide>
+template <class Num, class Visit>
 class Cascade {
  public:
   using Real = LaneReal<Num>;
@@ -23,14 +23,27 @@ class Cascade {
   using Model = SolverModel<Real>;
   using Pass = SolverPass<Real>;
 
-  explicit Cascade(const Model& model);
+  explicit Cascade(const Model& model, Visit visit = {});
 
-  /// From the deformations in `planes` to joint values and flags.
-  void run(const Model& model) noexcept;
+  /// Before the parts are run: what the deformations in `planes` say of the whole hand.
+  void begin(const Model& model) noexcept;
+
+  /// From the deformations in `planes` to the joint values and flags of a part.
+  void run(const Model& model, const SolverPart& part) noexcept;
+
+  /// The first half of the first pass over a part that is one chain: what its joints carry, with targets that the
+  /// azimuth has not turned.
+  void carry(const Model& model, const SolverPart& part) noexcept {
+    begin_joints(model, part);
+    sum_targets(model, part, false);
+    carry_moments(model, part.tree, model.passes.front());
+  }
+  const PointMoments<Num>& carried(int joint) const noexcept { return joints_[joint].carried; }
 
   /// Weighted rms distance of the points from their targets, sphere radii; NaN when closing has dropped every point.
-  /// Plain numbers only; to be called once after a run.
-  double residual_rms(const Model& model) noexcept;
+  /// Plain numbers only.
+  /// @param q  [joint] profile units
+  double residual_rms(const Model& model, std::span<const Num> q) noexcept;
 
   const Num& q(int joint) const noexcept { return joints_[joint].q; }
   const Mask& at_limit(int joint) const noexcept { return joints_[joint].at_limit; }
@@ -72,7 +85,7 @@ class Cascade {
   // cascade_kernel.hpp
   const PlaneDeformation<Num>& plane_of(const Model& model, int finger) const noexcept;
   void begin_joints(const Model& model, const SolverPart& part) noexcept;
-  void sum_targets(const Model& model, const SolverPart& part) noexcept;
+  void sum_targets(const Model& model, const SolverPart& part, bool turned) noexcept;
   void sweep(const Model& model, const SolverPart& part, const Pass& pass) noexcept;
   void carry_moments(const Model& model, std::span<const ScopedJoint> scope, const Pass& pass) noexcept;
   RigidTransform<Num> frame_before_motion(const Model& model, int joint) const noexcept;
@@ -99,6 +112,7 @@ class Cascade {
   Num contact_group(const Model& model, const SolverStep& step) noexcept;
   Vector3<Num> node_in_frame(const Model& model, const ContactNode& node, int joint) const noexcept;
 
+  Visit visit_;
   std::vector<PlaneDeformation<Num>> group_planes_;  // [group of planes] mean of its fingers
   std::vector<JointState> joints_;                   // [joint]
 };

@@ -15,38 +15,55 @@ JointValue<Num> choose(MaskOf<Num> mask, const JointValue<Num>& a, const JointVa
   return {select(mask, a.q, b.q), select(mask, a.cosine, b.cosine), select(mask, a.sine, b.sine)};
 }
 
-template <class Num, class Wide>
-Cascade<Num, Wide>::Cascade(const Model& model)
-    : planes(model.tips.size()), group_planes_(model.plane_groups.fingers.size()), joints_(model.joints.size()) {}
+/// What is left of a step's weight, alpha (docs/method.md#closing); `hard` knows all or nothing.
+template <class Num>
+Num share_left(Num weight, Num full_weight, CascadeClosing closing) {
+  if (all(weight == full_weight)) return Num(1);
+  const Num share = weight / select(full_weight > Num(0), full_weight, Num(1));
+  return closing == CascadeClosing::hard ? select(share > Num(0), Num(1), share) : share;
+}
 
-template <class Num, class Wide>
-void Cascade<Num, Wide>::run(const Model& model) noexcept {
-  const bool field = model.options.field == FieldReading::field;
+/// A joint value that has closed by what is not left of its points: the share of the fitted value, the rest of the closed
+/// end (docs/method.md#closing).
+template <class Num, class Real>
+Num close_by_share(const SolverJoint<Real>& joint, Num q, Num open_share) {
+  const Num blend = open_share * q + (Num(1) - open_share) * Num(joint.travel.closed);
+  return select(open_share == Num(1), q, clamp(blend, Num(joint.lower.q), Num(joint.upper.q)));
+}
+
+template <class Num, class Visit>
+Cascade<Num, Visit>::Cascade(const Model& model, Visit visit)
+    : planes(model.tips.size()), visit_(visit), group_planes_(model.plane_groups.fingers.size()), joints_(model.joints.size()) {}
+
+template <class Num, class Visit>
+void Cascade<Num, Visit>::begin(const Model& model) noexcept {
   // the interpolated field mixes fingers: its targets are summed for the whole hand at once
   if constexpr (LaneTraits<Num>::width == 1) {
-    if (field) average_planes(model), sum_points(model);
-  }
-  for (const SolverPart& part : model.parts) {
-    // joints to their start, targets to moments
-    begin_joints(model, part);
-    if (!field) sum_targets(model, part);
-    // fit joint by joint, once or several times
-    for (const Pass& pass : model.passes) sweep(model, part, pass);
-    // only then close what has lost its points
-    close_faded(model, part);
+    if (model.options.field == FieldReading::field) average_planes(model), sum_points(model);
   }
 }
 
+template <class Num, class Visit>
+void Cascade<Num, Visit>::run(const Model& model, const SolverPart& part) noexcept {
+  // joints to their start, targets to moments
+  begin_joints(model, part);
+  if (model.options.field == FieldReading::finger) sum_targets(model, part, true);
+  // fit joint by joint, once or several times
+  for (const Pass& pass : model.passes) sweep(model, part, pass);
+  // only then close what has lost its points
+  close_faded(model, part);
+}
+
 /// the plane that a finger's lateral joint and its contacts follow
-template <class Num, class Wide>
-const PlaneDeformation<Num>& Cascade<Num, Wide>::plane_of(const Model& model, int finger) const noexcept {
+template <class Num, class Visit>
+const PlaneDeformation<Num>& Cascade<Num, Visit>::plane_of(const Model& model, int finger) const noexcept {
   return model.options.field == FieldReading::finger ? planes[finger]
                                                      : group_planes_[model.plane_groups.of_finger[finger]];
 }
 
 /// joint values before the cascade
-template <class Num, class Wide>
-void Cascade<Num, Wide>::begin_joints(const Model& model, const SolverPart& part) noexcept {
+template <class Num, class Visit>
+void Cascade<Num, Visit>::begin_joints(const Model& model, const SolverPart& part) noexcept {
   JointState* const states = joints_.data();
   const SolverJoint<Real>* const joints = model.joints.data();
   const SolverStart<Real>* const starts = model.starts.data();
@@ -77,21 +94,22 @@ void Cascade<Num, Wide>::begin_joints(const Model& model, const SolverPart& part
 
 /// the moments of every joint's own points, patch by patch, each on its finger's own plane; joints without points have
 /// none from the beginning
-template <class Num, class Wide>
-void Cascade<Num, Wide>::sum_targets(const Model& model, const SolverPart& part) noexcept {
+template <class Num, class Visit>
+void Cascade<Num, Visit>::sum_targets(const Model& model, const SolverPart& part, bool turned) noexcept {
   for (int f : part.fingers) {
-    const SinCos<Num> turn = sincos(Num(model.azimuth_sign) * planes[f].delta_theta);
+    SinCos<Num> turn{Num(0), Num(1)};
+    if (turned) turn = sincos(Num(model.azimuth_sign) * planes[f].delta_theta);
     for (int k : model.patches_of_finger[f]) {
       const SolverPatch<Real>& patch = model.patches[k];
       PointMoments<Num>& own = joints_[patch.joint].own;
       // displacements from the plane, then the azimuth turns the sums; a joint's first patch begins its sums
       if (patch.first_of_joint) {
-        sum_patch<Wide>(patch, planes[f], model.options.closing, own);
-        own.turn_targets(turn.cosine, turn.sine);
+        sum_patch(patch, planes[f], model.options.closing, visit_, own);
+        if (turned) own.turn_targets(turn.cosine, turn.sine);
       } else {
         PointMoments<Num> moments;
-        sum_patch<Wide>(patch, planes[f], model.options.closing, moments);
-        moments.turn_targets(turn.cosine, turn.sine);
+        sum_patch(patch, planes[f], model.options.closing, visit_, moments);
+        if (turned) moments.turn_targets(turn.cosine, turn.sine);
         own.add(moments);
       }
     }
@@ -99,8 +117,8 @@ void Cascade<Num, Wide>::sum_targets(const Model& model, const SolverPart& part)
 }
 
 /// one pass (docs/method.md#passes)
-template <class Num, class Wide>
-void Cascade<Num, Wide>::sweep(const Model& model, const SolverPart& part, const Pass& pass) noexcept {
+template <class Num, class Visit>
+void Cascade<Num, Visit>::sweep(const Model& model, const SolverPart& part, const Pass& pass) noexcept {
   // inward: what each joint carries
   carry_moments(model, part.tree, pass);
   // coupled joints that move several fingers, before any of these
@@ -125,8 +143,8 @@ void Cascade<Num, Wide>::sweep(const Model& model, const SolverPart& part, const
 }
 
 /// moments from the tips inward, with the joints further out at their present values (docs/method.md#moments)
-template <class Num, class Wide>
-void Cascade<Num, Wide>::carry_moments(const Model& model, std::span<const ScopedJoint> scope,
+template <class Num, class Visit>
+void Cascade<Num, Visit>::carry_moments(const Model& model, std::span<const ScopedJoint> scope,
                                        const Pass& pass) noexcept {
   JointState* const states = joints_.data();
   const SolverJoint<Real>* const joints = model.joints.data();
@@ -148,23 +166,23 @@ void Cascade<Num, Wide>::carry_moments(const Model& model, std::span<const Scope
 }
 
 /// the joint's frame F in S, its parents moved and the joint itself not
-template <class Num, class Wide>
-RigidTransform<Num> Cascade<Num, Wide>::frame_before_motion(const Model& model, int joint) const noexcept {
+template <class Num, class Visit>
+RigidTransform<Num> Cascade<Num, Visit>::frame_before_motion(const Model& model, int joint) const noexcept {
   const SolverJoint<Real>& j = model.joints[joint];
   const RigidTransform<Num> T_parent_joint = j.T_parent_joint.template cast<Num>();
   return j.parent < 0 ? T_parent_joint : joints_[j.parent].T_S_moved * T_parent_joint;
 }
 
-template <class Num, class Wide>
-void Cascade<Num, Wide>::move_frames(const Model& model, std::span<const ScopedJoint> scope) noexcept {
+template <class Num, class Visit>
+void Cascade<Num, Visit>::move_frames(const Model& model, std::span<const ScopedJoint> scope) noexcept {
   for (const ScopedJoint& s : scope)
     joints_[s.joint].T_S_moved =
         model.joints[s.joint].moved(frame_before_motion(model, s.joint), joints_[s.joint].value);
 }
 
 /// `F` is the frame of the step's first joint before its own motion
-template <class Num, class Wide>
-void Cascade<Num, Wide>::solve_step(const Model& model, const SolverStep& step, const RigidTransform<Num>& F,
+template <class Num, class Visit>
+void Cascade<Num, Visit>::solve_step(const Model& model, const SolverStep& step, const RigidTransform<Num>& F,
                                     const Pass& pass) noexcept {
   JointState& state = joints_[step.joint];
   // the weight that the step carries, with and without what closing has taken
@@ -173,12 +191,7 @@ void Cascade<Num, Wide>::solve_step(const Model& model, const SolverStep& step, 
     full_weight = weight = Num(0);
     for (int i : step.driven) full_weight += joints_[i].carried.full_weight, weight += joints_[i].carried.weight;
   }
-  // the share that is left, alpha (docs/method.md#closing); `hard` knows all or nothing
-  Num open_share(1);
-  if (!all(weight == full_weight)) {
-    open_share = weight / select(full_weight > Num(0), full_weight, Num(1));
-    if (model.options.closing == CascadeClosing::hard) open_share = select(open_share > Num(0), Num(1), open_share);
-  }
+  const Num open_share = share_left(weight, full_weight, model.options.closing);
   state.open_share = open_share;
 
   // fit where anything is left; elsewhere the joint stays until `close_faded`
@@ -198,8 +211,8 @@ void Cascade<Num, Wide>::solve_step(const Model& model, const SolverStep& step, 
   for (int i : step.driven) joints_[i].at_limit = fit.at_limit, joints_[i].closed = closed;
 }
 
-template <class Num, class Wide>
-typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::fit_step(const Model& model, const SolverStep& step,
+template <class Num, class Visit>
+typename Cascade<Num, Visit>::Fit Cascade<Num, Visit>::fit_step(const Model& model, const SolverStep& step,
                                                               const RigidTransform<Num>& F, const Pass& pass) noexcept {
   if constexpr (LaneTraits<Num>::width == 1) {  // the contact rule is not made for lanes
     if (model.options.rule == CascadeRule::contact) {
@@ -212,8 +225,8 @@ typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::fit_step(const Model& model
 }
 
 /// The value of least squares in closed form, seen from the present one (docs/method.md#one-joint).
-template <class Num, class Wide>
-typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::fit_single(const Model& model, const SolverStep& step,
+template <class Num, class Visit>
+typename Cascade<Num, Visit>::Fit Cascade<Num, Visit>::fit_single(const Model& model, const SolverStep& step,
                                                                 const RigidTransform<Num>& F,
                                                                 const Pass& pass) const noexcept {
   const Num zero(0), one(1);
@@ -228,16 +241,11 @@ typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::fit_single(const Model& mod
     return within_limits(j, j.value(select(weighs, shift, present.q)));
   }
 
-  // the hold h: half of the points' own weight keeps the joint where it is, or it would spin where targets come close
-  // to the axis and the sums nearly cancel (docs/method.md#hold). With no weight at all it is all there is
-  const Num least(Real(1e-15f));
-  const Num arms = moments.p.x * moments.p.x + moments.p.y * moments.p.y;
-  const Num hold = Num(Real(kHold)) * arms / (moments.weight + least * least) + least;
-
   // what the sums pull along the present angle (A) and across it (B); a pull backward, by more than a quarter turn, is
   // left out, or a target that passes behind the joint would throw it from one limit to the other
   const TurnFit<Num> fit = fit_turn(moments, F);
-  const Num along = max(fit.cosine * present.cosine + fit.sine * present.sine, zero) + hold;
+  const Num along = max(fit.cosine * present.cosine + fit.sine * present.sine, zero) +
+                    hold_of(moments.p.x, moments.p.y, moments.weight);
   const Num across = fit.sine * present.cosine - fit.cosine * present.sine;
 
   // in the first pass the lead turns (A, B) on, to first order, for the joints further out (docs/method.md#lead)
@@ -257,8 +265,8 @@ typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::fit_single(const Model& mod
 }
 
 /// `value` clamped; cosine and sine of the limits are at hand
-template <class Num, class Wide>
-typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::within_limits(const SolverJoint<Real>& joint,
+template <class Num, class Visit>
+typename Cascade<Num, Visit>::Fit Cascade<Num, Visit>::within_limits(const SolverJoint<Real>& joint,
                                                                    const JointValue<Num>& value) const noexcept {
   const Mask below = value.q < Num(joint.lower.q);
   const Mask above = value.q > Num(joint.upper.q);
@@ -269,8 +277,8 @@ typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::within_limits(const SolverJ
 }
 
 /// the step's joint to `value`, its followers after it
-template <class Num, class Wide>
-void Cascade<Num, Wide>::set_unknown(const Model& model, const SolverStep& step,
+template <class Num, class Visit>
+void Cascade<Num, Visit>::set_unknown(const Model& model, const SolverStep& step,
                                      const JointValue<Num>& value) noexcept {
   joints_[step.joint].set(value);
   if (step.single) return;
@@ -282,8 +290,8 @@ void Cascade<Num, Wide>::set_unknown(const Model& model, const SolverStep& step,
 
 /// Each joint goes to its closed end by the share of points that closing has taken (docs/method.md#closing). Only now: a
 /// child fitted to a parent that has faded already would open to make up for it.
-template <class Num, class Wide>
-void Cascade<Num, Wide>::close_faded(const Model& model, const SolverPart& part) noexcept {
+template <class Num, class Visit>
+void Cascade<Num, Visit>::close_faded(const Model& model, const SolverPart& part) noexcept {
   JointState* const states = joints_.data();
   const SolverStep* const steps = model.steps.data();
   // a joint that has lost nothing stands where the cascade has put it
@@ -291,12 +299,8 @@ void Cascade<Num, Wide>::close_faded(const Model& model, const SolverPart& part)
   for (int k : part.steps) {
     const SolverStep& step = steps[k];
     JointState& state = states[step.joint];
-    const Mask whole = state.open_share == Num(1);
-    if (all(whole)) continue;
-    // alpha of the fitted value, the rest of the closed end
-    const SolverJoint<Real>& joint = model.joints[step.joint];
-    const Num blend = state.open_share * state.q + (Num(1) - state.open_share) * Num(joint.travel.closed);
-    state.q = select(whole, state.q, clamp(blend, Num(joint.lower.q), Num(joint.upper.q)));
+    if (all(state.open_share == Num(1))) continue;
+    state.q = close_by_share(model.joints[step.joint], state.q, state.open_share);
     // followers after it
     for (int i : step.driven)
       if (i != step.joint) joints_[i].q = model.joints[i].motion_at(state.q);

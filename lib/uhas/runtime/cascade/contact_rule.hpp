@@ -10,8 +10,8 @@
 namespace uhas {
 
 /// origin of the node's joint, or the fingertip, in `joint`'s frame with `joint` itself at zero
-template <class Num, class Wide>
-Vector3<Num> Cascade<Num, Wide>::node_in_frame(const Model& model, const ContactNode& node, int joint) const noexcept {
+template <class Num, class Visit>
+Vector3<Num> Cascade<Num, Visit>::node_in_frame(const Model& model, const ContactNode& node, int joint) const noexcept {
   // from the node's own frame inward, joint by joint
   int at = node.joint >= 0 ? node.joint : model.tips[node.finger].joint;
   Vector3<Num> p = node.joint >= 0 ? Vector3<Num>{} : model.tips[node.finger].p;
@@ -31,8 +31,8 @@ Real gap_to_profile(const PlaneDeformation<Real>& plane, Vector3<Real> p) {
 }
 
 /// turn from open until the node meets the profile of its finger's plane
-template <class Num, class Wide>
-Num Cascade<Num, Wide>::contact_single(const Model& model, const SolverStep& step,
+template <class Num, class Visit>
+Num Cascade<Num, Visit>::contact_single(const Model& model, const SolverStep& step,
                                        const RigidTransform<Num>& F) noexcept {
   const SolverJoint<Real>& joint = model.joints[step.joint];
   if (joint.prismatic || step.nodes.size() != 1) return contact_group(model, step);
@@ -49,8 +49,8 @@ Num Cascade<Num, Wide>::contact_single(const Model& model, const SolverStep& ste
 }
 
 /// the same for coupled joints, several fingers and sliding joints: the nodes' mean gap decides
-template <class Num, class Wide>
-Num Cascade<Num, Wide>::contact_group(const Model& model, const SolverStep& step) noexcept {
+template <class Num, class Visit>
+Num Cascade<Num, Visit>::contact_group(const Model& model, const SolverStep& step) noexcept {
   const JointValue<Num> present = joints_[step.joint].value;
   // the mean distance of the nodes from their profiles, everything that the step moves moved
   const auto mean_gap = [&](Num value) {

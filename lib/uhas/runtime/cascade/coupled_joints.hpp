@@ -9,8 +9,8 @@ namespace uhas {
 
 /// Joints coupled by mimics have no closed form: Newton's method follows the descent from the present value to the first
 /// minimum on the way, in steps of a quarter of the range at most and within the bracket it has found.
-template <class Num, class Wide>
-typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::fit_group(const Model& model, const SolverStep& step,
+template <class Num, class Visit>
+typename Cascade<Num, Visit>::Fit Cascade<Num, Visit>::fit_group(const Model& model, const SolverStep& step,
                                                                const Pass& pass) noexcept {
   constexpr int most_steps = 12;
   constexpr Real settled_step = std::is_same_v<Real, float> ? Real(1e-4) : Real(1e-6);  // the error left is its square
@@ -46,8 +46,8 @@ typename Cascade<Num, Wide>::Fit Cascade<Num, Wide>::fit_group(const Model& mode
 }
 
 /// slope and bend at this value of the group's unknown
-template <class Num, class Wide>
-typename Cascade<Num, Wide>::Descent Cascade<Num, Wide>::descent(const Model& model, const SolverStep& step,
+template <class Num, class Visit>
+typename Cascade<Num, Visit>::Descent Cascade<Num, Visit>::descent(const Model& model, const SolverStep& step,
                                                                  const JointValue<Num>& value,
                                                                  const Pass& pass) noexcept {
   // the joints at that value, with moments and frames to match

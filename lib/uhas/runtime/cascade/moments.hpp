@@ -113,6 +113,18 @@ TurnFit<Num> fit_turn(const PointMoments<Num>& moments, const RigidTransform<Num
   return {.sine = dot(row_x, y) - dot(row_y, x), .cosine = dot(row_x, x) + dot(row_y, y)};
 }
 
+/// Share of the points' own weight that holds a joint at its present value (docs/method.md#hold).
+inline constexpr double kHold = 0.5;
+
+/// The hold h: half of the points' own weight keeps the joint where it is, or it would spin where targets come close to
+/// the axis and the sums nearly cancel (docs/method.md#hold). With no weight at all it is all there is.
+/// @param p_x, p_y, weight  of the moments, in the joint's frame
+template <class Num>
+Num hold_of(Num p_x, Num p_y, Num weight) {
+  const Num least(LaneReal<Num>(1e-15f));
+  return Num(LaneReal<Num>(kHold)) * (p_x * p_x + p_y * p_y) / (weight + least * least) + least;
+}
+
 /// What a sliding joint sees of them: sum w s z . (t - p).
 template <class Num>
 Num fit_shift(const PointMoments<Num>& moments, const RigidTransform<Num>& T_S_F) {

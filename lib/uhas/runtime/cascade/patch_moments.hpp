@@ -29,53 +29,73 @@ Num open_share(const typename RadialProfile<Num>::At& radial, CascadeClosing clo
   return u * u * (Num(3) - Num(2) * u);
 }
 
-/// Moments of a patch point by point; `Wide` takes as many at once as it has lanes.
-template <class Wide>
-PointMoments<Wide> visit_points(const PointColumns<LaneReal<Wide>>& columns, const RadialProfile<Wide>& profile,
-                                CascadeClosing closing) {
-  PointMoments<Wide> moments;
-  for (std::size_t k = 0; k < columns.length; k += LaneTraits<Wide>::width) {
-    const auto column = [&](const auto& numbers) { return load<Wide>(numbers.data() + k); };
-    // displacement and share at the points' polar angles
-    const auto radial = profile.at(column(columns.phi));
-    const Wide share = column(columns.weight) * open_share<Wide>(radial, closing);
-    // targets go out along the direction, not behind the centre
-    const Wide target = share * max(column(columns.rho) + radial.delta_r, Wide(0));
-    const Vector3<Wide> p{column(columns.p[0]), column(columns.p[1]), column(columns.p[2])};
-    const Vector3<Wide> direction{column(columns.direction[0]), column(columns.direction[1]),
-                                  column(columns.direction[2])};
-    // W, P, T and M of docs/method.md#moments
-    moments.weight += share;
-    moments.p += share * p;
-    moments.add_pair(p, target * direction);
-  }
-  return moments;
+/// Adds points under a deformation, each with what closing has left of it.
+/// @tparam Num  numbers of one point and one hand, of a point a lane or of a hand a lane
+template <class Num>
+void add_points(Num phi, Num rho, Num weight, const Vector3<Num>& p, const Vector3<Num>& direction,
+                const RadialProfile<Num>& profile, CascadeClosing closing, PointMoments<Num>& moments) {
+  // displacement and share at the points' polar angles
+  const auto radial = profile.at(phi);
+  const Num share = weight * open_share<Num>(radial, closing);
+  // targets go out along the direction, not behind the centre
+  const Num target = share * max(rho + radial.delta_r, Num(0));
+  // W, P, T and M of docs/method.md#moments
+  moments.weight += share;
+  moments.p += share * p;
+  moments.add_pair(p, target * direction);
 }
 
-/// One lane of a profile, in every lane of the result.
-template <class Wide, class Num>
-RadialProfile<Wide> spread_lane(const RadialProfile<Num>& profile, int l) {
+/// Moments of a patch, one point after the other; its full weight stays 0.
+struct VisitInTurn {
+  template <class Num>
+  PointMoments<Num> operator()(const PointColumns<LaneReal<Num>>& columns, const RadialProfile<Num>& profile,
+                               CascadeClosing closing) const {
+    PointMoments<Num> moments;
+    for (std::size_t k = 0; k < columns.count; ++k) {
+      const auto vector = [&](const auto& v) { return Vector3<Num>{Num(v[0][k]), Num(v[1][k]), Num(v[2][k])}; };
+      add_points(Num(columns.phi[k]), Num(columns.rho[k]), Num(columns.weight[k]), vector(columns.p),
+                 vector(columns.direction), profile, closing, moments);
+    }
+    return moments;
+  }
+};
+
+/// The same for one hand, `Wide` points at once. Points a fixed stride apart go into one sum, so that lanes of any width
+/// give the same bits.
+template <class Wide>
+PointMoments<LaneReal<Wide>> visit_side_by_side(const PointColumns<LaneReal<Wide>>& columns,
+                                                const RadialProfile<LaneReal<Wide>>& profile, CascadeClosing closing) {
+  using Real = LaneReal<Wide>;
+  constexpr std::size_t width = LaneTraits<Wide>::width, stride = 32 / sizeof(Real);
+  static_assert(width <= stride && PointColumns<Real>::kWidest % stride == 0);
   RadialProfile<Wide> spread;
   spread.vectors = profile.vectors;
   for (int j = 0; j < profile.vectors; ++j) {
-    spread.phi[j] = Wide(lane(profile.phi[j], l));
-    spread.delta_r[j] = Wide(lane(profile.delta_r[j], l));
-    spread.slope[j] = Wide(lane(profile.slope[j], l));
+    spread.phi[j] = Wide(profile.phi[j]);
+    spread.delta_r[j] = Wide(profile.delta_r[j]);
+    spread.slope[j] = Wide(profile.slope[j]);
   }
-  return spread;
-}
-
-/// Adds the sums over the lanes of `wide` to lane `l` of `moments`.
-template <class Num, class Wide>
-void add_to_lane(const PointMoments<Wide>& wide, int l, PointMoments<Num>& moments) {
-  const auto add = [&](Num& to, const Wide& from) { set_lane(to, l, lane(to, l) + sum(from)); };
-  const auto add_vector = [&](Vector3<Num>& to, const Vector3<Wide>& from) {
-    add(to.x, from.x), add(to.y, from.y), add(to.z, from.z);
-  };
-  add(moments.weight, wide.weight);
-  add_vector(moments.p, wide.p);
-  add_vector(moments.t, wide.t);
-  for (int j = 0; j < 3; ++j) add_vector(moments.pt[j], wide.pt[j]);
+  PointMoments<Wide> all;
+  for (std::size_t first = 0; first < stride; first += width) {
+    PointMoments<Wide> moments;
+    for (std::size_t k = first; k < columns.length; k += stride) {
+      const auto column = [&](const auto& numbers) { return load<Wide>(numbers.data() + k); };
+      const auto vector = [&](const auto& v) { return Vector3<Wide>{column(v[0]), column(v[1]), column(v[2])}; };
+      add_points(column(columns.phi), column(columns.rho), column(columns.weight), vector(columns.p),
+                 vector(columns.direction), spread, closing, moments);
+    }
+    if (first == 0)
+      all = moments;
+    else
+      all.add(moments);
+  }
+  const auto vector = [](const Vector3<Wide>& v) { return Vector3<Real>{sum(v.x), sum(v.y), sum(v.z)}; };
+  PointMoments<Real> moments;
+  moments.weight = sum(all.weight);
+  moments.p = vector(all.p);
+  moments.t = vector(all.t);
+  for (int j = 0; j < 3; ++j) moments.pt[j] = vector(all.pt[j]);
+  return moments;
 }
 
 /// Which lanes' points are all whole with targets in front of the centre, and which lanes' have all vanished.
@@ -179,9 +199,10 @@ void keep_where(MaskOf<Num> mask, PointMoments<Num>& moments) {
 }
 
 /// Moments of a patch, lane by lane as its plane deforms it, into `moments`.
-template <class Wide, class Num>
+/// @param visit  visit(columns, profile, closing): the moments point by point
+template <class Num, class Visit>
 void sum_patch(const SolverPatch<LaneReal<Num>>& patch, const PlaneDeformation<Num>& plane, CascadeClosing closing,
-               PointMoments<Num>& moments) {
+               const Visit& visit, PointMoments<Num>& moments) {
   const PatchState<Num> state = classify_patch(patch, plane, closing);
   // lanes where the patch is whole: by sums; nothing in the others so far
   if (any(state.whole)) {
@@ -193,9 +214,11 @@ void sum_patch(const SolverPatch<LaneReal<Num>>& patch, const PlaneDeformation<N
     moments.full_weight = Num(patch.rest.full_weight);
   }
   // lanes where it fades: point by point
-  for (int l = 0; l < LaneTraits<Num>::width; ++l)
-    if (!lane(state.whole, l) && !lane(state.vanished, l))
-      add_to_lane(visit_points<Wide>(patch.columns, spread_lane<Wide>(plane, l), closing), l, moments);
+  const MaskOf<Num> fades = !(state.whole | state.vanished);
+  if (!any(fades)) return;
+  PointMoments<Num> visited = visit(patch.columns, plane, closing);
+  if (!all(fades)) keep_where<Num>(fades, visited);
+  moments.add(visited);
 }
 
 }  // namespace uhas

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <numbers>
+#include <span>
 
 #include "uhas/profile/hand_profile.hpp"
 #include "uhas/runtime/lanes/lanes.hpp"
@@ -79,5 +80,15 @@ struct PlaneDeformation : RadialProfile<Num> {
     }
   }
 };
+
+/// Displacement at a polar angle when that of driving vector `j` of those at `phi` is 1 and the others are 0.
+inline double displacement_share(double angle, std::span<const double> phi, int j, bool held_toward_pole) {
+  PlaneDeformation<double> unit{};
+  unit.vectors = static_cast<int>(phi.size());
+  for (int k = 0; k < unit.vectors; ++k) unit.phi[k] = phi[k];
+  unit.delta_r[j] = 1;
+  unit.complete(held_toward_pole, false);
+  return unit.at(angle).delta_r;
+}
 
 }  // namespace uhas

@@ -10,15 +10,15 @@
 
 namespace uhas {
 
-template <class Num, class Wide>
-void Cascade<Num, Wide>::average_planes(const Model& model) noexcept {
+template <class Num, class Visit>
+void Cascade<Num, Visit>::average_planes(const Model& model) noexcept {
   for (std::size_t g = 0; g < group_planes_.size(); ++g)
     group_planes_[g] = mean_plane(planes, model.plane_groups.fingers[g], model.options.convention.held_toward_pole);
 }
 
 /// where a material point goes (docs/method.md#targets), and what closing leaves of it
-template <class Num, class Wide>
-typename Cascade<Num, Wide>::Target Cascade<Num, Wide>::target_of(const Model& model,
+template <class Num, class Visit>
+typename Cascade<Num, Visit>::Target Cascade<Num, Visit>::target_of(const Model& model,
                                                                   const SolverPoint<Real>& point) const noexcept {
   // the deformation at the point: its finger's, or that between the planes on either side
   Displacement<Num> moved;
@@ -37,8 +37,8 @@ typename Cascade<Num, Wide>::Target Cascade<Num, Wide>::target_of(const Model& m
 }
 
 /// the moments of every joint's own points in the interpolated field, where each has a displacement of its own
-template <class Num, class Wide>
-void Cascade<Num, Wide>::sum_points(const Model& model) noexcept {
+template <class Num, class Visit>
+void Cascade<Num, Visit>::sum_points(const Model& model) noexcept {
   for (JointState& state : joints_) state.own = {};
   for (const SolverPoint<Real>& point : model.points) {
     const Target target = target_of(model, point);
@@ -46,10 +46,10 @@ void Cascade<Num, Wide>::sum_points(const Model& model) noexcept {
   }
 }
 
-template <class Num, class Wide>
-double Cascade<Num, Wide>::residual_rms(const Model& model) noexcept {
+template <class Num, class Visit>
+double Cascade<Num, Visit>::residual_rms(const Model& model, std::span<const Num> q) noexcept {
   // all frames at the joint values that came out, closing included
-  for (std::size_t i = 0; i < joints_.size(); ++i) joints_[i].set(model.joints[i].value(joints_[i].q));
+  for (std::size_t i = 0; i < joints_.size(); ++i) joints_[i].set(model.joints[i].value(q[i] / model.joints[i].unit));
   for (const SolverPart& part : model.parts) move_frames(model, part.tree);
   // how far each point is from its target
   double sum = 0, weight = 0;

@@ -106,9 +106,6 @@ struct SolverPass {
   bool first;  ///< the joints further out stand at their start: a fit leads
 };
 
-/// Share of the points' own weight that holds a joint at its present value (docs/method.md#hold).
-inline constexpr double kHold = 0.5;
-
 /// Made in one go by `compile_solver_model`, and constant from then on.
 template <class Real>
 struct SolverModel {

@@ -45,6 +45,7 @@ template <class Real>
 PointColumns<Real> columns_of(std::span<const SolverPoint<Real>> points) {
   PointColumns<Real> columns;
   constexpr std::size_t widest = PointColumns<Real>::kWidest;
+  columns.count = points.size();
   columns.length = (points.size() + widest - 1) / widest * widest;
   const auto fill = [&](std::vector<Real>& column, const auto& number) {
     for (const SolverPoint<Real>& point : points) column.push_back(number(point));

@@ -27,7 +27,8 @@ template <class Real>
 struct PointColumns {
   static constexpr std::size_t kWidest = 8;  ///< lengths are multiples of this
 
-  std::size_t length{};
+  std::size_t count{};   ///< points
+  std::size_t length{};  ///< with those of no weight
   std::vector<Real> phi, rho, weight;
   std::array<std::vector<Real>, 3> p, direction;
 };

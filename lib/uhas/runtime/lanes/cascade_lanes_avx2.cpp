@@ -9,11 +9,11 @@ using Doubles = Lanes<double, 4, Here>;
 
 template <>
 CascadeLanes<float> cascade_lanes_avx2() {
-  return CascadeLanesOf<Floats, Floats>::functions();
+  return CascadeLanesOf<Floats>::functions();
 }
 template <>
 CascadeLanes<double> cascade_lanes_avx2() {
-  return CascadeLanesOf<Doubles, Doubles>::functions();
+  return CascadeLanesOf<Doubles>::functions();
 }
 
 }  // namespace uhas

@@ -6,10 +6,10 @@
 
 namespace uhas {
 
-template <class Num, class Wide>
+template <class Num>
 struct CascadeLanesOf {
   using Real = LaneReal<Num>;
-  using Scratch = Cascade<Num, Wide>;
+  using Scratch = Cascade<Num, VisitInTurn>;
   static constexpr int width = LaneTraits<Num>::width;
   static_assert(width <= kMostLanes);
 
@@ -42,7 +42,8 @@ struct CascadeLanesOf {
                                      .radial_bounds = have_bounds ? radial_bounds : nullptr};
     // as for one hand (cascade_solver.cpp), all lanes at once
     model.decoder.decode(numbers, cascade.planes.data());
-    cascade.run(model);
+    cascade.begin(model);
+    for (const SolverPart& part : model.parts) cascade.run(model, part);
     // lanes to rows, in the profile's units
     for (int i = 0; i < static_cast<int>(model.joints.size()); ++i) {
       const Num q = model.joints[i].in_profile_units(cascade.q(i));

@@ -185,13 +185,14 @@ Lanes<Real, N, Tag> sqrt(Lanes<Real, N, Tag> a) {
   return root;
 }
 
-/// The sum of lanes [First, First + Count), by halves.
-template <int First, int Count, class Real, int N, class Tag>
+/// The sum of `Count` lanes from `First`, `Step` apart; each half of them onto the other, as narrower lanes would have
+/// summed them.
+template <int First, int Step, int Count, class Real, int N, class Tag>
 Real sum_of_lanes(const Lanes<Real, N, Tag>& a) {
   if constexpr (Count == 1)
     return a.v[First];
   else
-    return sum_of_lanes<First, Count / 2>(a) + sum_of_lanes<First + Count / 2, Count / 2>(a);
+    return sum_of_lanes<First, 2 * Step, Count / 2>(a) + sum_of_lanes<First + Step, 2 * Step, Count / 2>(a);
 }
 
 /// The sum of all lanes.
@@ -201,7 +202,7 @@ Real sum(const Real& a) {
 }
 template <class Real, int N, class Tag>
 Real sum(const Lanes<Real, N, Tag>& a) {
-  return sum_of_lanes<0, N>(a);
+  return sum_of_lanes<0, 1, N>(a);
 }
 
 }  // namespace uhas

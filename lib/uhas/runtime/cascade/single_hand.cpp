@@ -1,0 +1,208 @@
+#include "uhas/runtime/cascade/single_hand.hpp"
+
+#include <algorithm>
+
+#include "uhas/runtime/cascade/cascade_kernel.hpp"
+#include "uhas/runtime/cascade/contact_rule.hpp"
+#include "uhas/runtime/cascade/point_targets.hpp"
+#include "uhas/runtime/instruction_set.hpp"
+#include "uhas/runtime/lanes/cascade_lanes.hpp"
+
+namespace uhas {
+namespace {
+
+template <class Real>
+FingerLanes<Real> widest_lanes() {
+#ifdef UHAS_HAS_AVX2_SOURCES
+  if (widest_instruction_set() == InstructionSet::avx2) return finger_lanes_avx2<Real>();
+#endif
+  return finger_lanes_baseline<Real>();
+}
+
+}  // namespace
+
+template <class Real>
+SingleHand<Real>::SingleHand(const SolverModel<Real>& model)
+    : model_(&model),
+      lanes_(widest_lanes<Real>()),
+      bundles_(std::make_shared<const std::vector<Bundle>>(make_bundles(model, lanes_.width))),
+      cascade_(model, lanes_.visit),
+      faded_(bundles_->size()) {
+  std::vector<bool> bundled(model.parts.size());
+  std::size_t numbers = 0;
+  for (const Bundle& bundle : *bundles_) {
+    numbers = bundle.first + bundle.constants.steps() * lanes_.width;
+    for (const AffineFinger<Real>& finger : bundle.constants.fingers) bundled[finger.part] = true;
+  }
+  for (int n = 0; n < static_cast<int>(bundled.size()); ++n)
+    if (!bundled[n]) other_parts_.push_back(n);
+  q_.resize(numbers), at_limit_.resize(numbers), open_share_.resize(numbers), sums_.resize(kTurnSums * numbers);
+}
+
+template <class Real>
+std::vector<typename SingleHand<Real>::Bundle> SingleHand<Real>::make_bundles(const SolverModel<Real>& model,
+                                                                              int width) {
+  std::vector<Bundle> bundles;
+  int first = 0;
+  for (AffineBundle<Real>& constants : bundle_fingers(model, width)) {
+    Bundle bundle{std::move(constants), {}, first};
+    const auto& fingers = bundle.constants.fingers;
+    for (int l = 0; l < static_cast<int>(fingers.size()); ++l)
+      for (int s = 0; s < bundle.constants.steps(); ++s)
+        if (fingers[l].joints[s] >= 0) bundle.places.push_back({fingers[l].joints[s], s, l, s * width + l});
+    first += bundle.constants.steps() * width;
+    bundles.push_back(std::move(bundle));
+  }
+  return bundles;
+}
+
+template <class Real>
+void SingleHand<Real>::solve(const ActionNumbers<Real>& action, std::span<Real> q) noexcept {
+  for (std::size_t n = 0; n < bundles_->size(); ++n) solve_bundle(n, action, q);
+  if (!other_parts_.empty()) solve_others(action, q);
+}
+
+template <class Real>
+void SingleHand<Real>::solve_others(const ActionNumbers<Real>& action, std::span<Real> q) noexcept {
+  // numbers to the deformation of each finger's plane, deformations to joint values, out in the profile's units
+  model_->decoder.decode(action, cascade_.planes.data());
+  cascade_.begin(*model_);
+  for (int n : other_parts_) {
+    cascade_.run(*model_, model_->parts[n]);
+    for (const ScopedJoint& s : model_->parts[n].tree)
+      q[s.joint] = model_->joints[s.joint].in_profile_units(cascade_.q(s.joint));
+  }
+}
+
+template <class Real>
+void SingleHand<Real>::solve_bundle(std::size_t index, const ActionNumbers<Real>& action,
+                                    std::span<Real> q) noexcept {
+  const Bundle& bundle = (*bundles_)[index];
+  const AffineBundle<Real>& constants = bundle.constants;
+  FadedSums<Real> faded{0, sums_.data() + kTurnSums * bundle.first, open_share_.data() + bundle.first};
+  input_.vectors = action.vectors;
+  for (int l = 0; l < static_cast<int>(constants.fingers.size()); ++l) {
+    if (decode_finger(constants.fingers[l], action, l)) continue;
+    faded.lanes |= 1u << l;
+    visit_points(bundle, action, l);
+  }
+  faded_[index] = faded.lanes;
+  Real* const walked = q_.data() + bundle.first;
+  lanes_.walk(constants, input_, faded, {walked, at_limit_.data() + bundle.first});
+
+  // turns have the same unit everywhere; a joint that has lost points goes on to its closed end
+  if (faded.lanes == 0)
+    for (const auto& place : bundle.places) q[place.joint] = walked[place.number];
+  else
+    for (const auto& place : bundle.places)
+      q[place.joint] =
+          close_by_share(model_->joints[place.joint], walked[place.number], share_left_at(index, place));
+  for (const AffineFinger<Real>& finger : constants.fingers)
+    for (const auto& [joint, value] : finger.others) q[joint] = model_->joints[joint].in_profile_units(value);
+}
+
+/// what closing has left of the weight that the joint carries
+template <class Real>
+Real SingleHand<Real>::share_left_at(std::size_t index, const typename Bundle::Place& place) const noexcept {
+  const Bundle& bundle = (*bundles_)[index];
+  const bool is_fitted = place.step != bundle.constants.before;
+  return is_fitted && (faded_[index] >> place.lane & 1) != 0 ? open_share_[bundle.first + place.number] : Real(1);
+}
+
+/// What the action says to the finger in a lane. Returns whether its sums are affine.
+template <class Real>
+bool SingleHand<Real>::decode_finger(const AffineFinger<Real>& finger, const ActionNumbers<Real>& action,
+                                     int lane) noexcept {
+  std::array<Real, kMaxDrivingVectors> delta_r;
+  const Real delta_theta = model_->decoder.decode_numbers(action, finger.finger, delta_r.data());
+  input_.azimuth[lane] = model_->azimuth_sign * delta_theta;
+  input_.lateral[lane] = 0;
+  if (finger.lateral >= 0) {
+    const SolverLateral<Real>& table = model_->laterals[finger.lateral];
+    input_.lateral[lane] = look_up_lateral<Real>(table.inverse_q, table.lower, table.upper, delta_theta);
+  }
+  Real lowest = delta_r[0];
+  for (int j = 0; j < action.vectors; ++j) {
+    input_.delta_r[j][lane] = delta_r[j];
+    lowest = min(lowest, delta_r[j]);
+  }
+  for (int u = 0; u < kLeadInputs; ++u) {
+    Real there = 0;
+    for (int j = 0; j < action.vectors; ++j) there += model_->decoder.lead_share(action.vectors, u, j) * delta_r[j];
+    input_.leads[u][lane] = lead_input(there);
+  }
+  return action.angles == 0 && lowest >= finger.lowest;
+}
+
+/// the sums of the finger in a lane, point by point, and its leads
+template <class Real>
+void SingleHand<Real>::visit_points(const Bundle& bundle, const ActionNumbers<Real>& action,
+                                    int lane) noexcept {
+  const AffineFinger<Real>& finger = bundle.constants.fingers[lane];
+  PlaneDeformation<Real>& plane = cascade_.planes[finger.finger];
+  model_->decoder.decode_finger(action, finger.finger, plane);
+  for (int u = 0; u < kLeadInputs; ++u) input_.leads[u][lane] = plane.lead[u];
+  cascade_.carry(*model_, model_->parts[finger.part]);
+  for (int s = 0; s < bundle.constants.steps(); ++s) {
+    const PointMoments<Real> nothing;
+    const PointMoments<Real>& m = finger.joints[s] < 0 ? nothing : cascade_.carried(finger.joints[s]);
+    const Real sums[kTurnSums] = {hold_of(m.p.x, m.p.y, m.weight), m.p.x, m.p.y, m.pt[0].x, m.pt[1].x, m.pt[2].x,
+                                  m.pt[0].y, m.pt[1].y, m.pt[2].y};
+    for (int n = 0; n < kTurnSums; ++n) sums_[kTurnSums * bundle.first + (s * kTurnSums + n) * lanes_.width + lane] = sums[n];
+    open_share_[bundle.first + s * lanes_.width + lane] = share_left(m.weight, m.full_weight, model_->options.closing);
+  }
+}
+
+template <class Real>
+void SingleHand<Real>::report(const ActionNumbers<Real>& action, std::span<const Real> q,
+                              SolveReport& report) noexcept {
+  model_->decoder.decode(action, cascade_.planes.data());
+  report.residual_rms = cascade_.residual_rms(*model_, q);
+
+  std::ranges::fill(report.at_limit, 0), std::ranges::fill(report.closed, 0);
+  const auto set = [&](int joint, bool at_limit, bool closed) {
+    if (!report.at_limit.empty()) report.at_limit[joint] = at_limit;
+    if (!report.closed.empty()) report.closed[joint] = closed;
+  };
+  for (std::size_t n = 0; n < bundles_->size(); ++n)
+    for (const auto& place : (*bundles_)[n].places)
+      set(place.joint, at_limit_[(*bundles_)[n].first + place.number] != 0, share_left_at(n, place) <= Real(0));
+  for (int n : other_parts_)
+    for (const ScopedJoint& s : model_->parts[n].tree)
+      set(s.joint, cascade_.at_limit(s.joint), cascade_.closed(s.joint));
+}
+
+template class SingleHand<float>;
+template class SingleHand<double>;
+
+namespace {
+
+/// One hand after the other, by the code of a single solve.
+template <class Real>
+struct ScalarLanes {
+  static void* make(const SolverModel<Real>& model) { return new SingleHand<Real>(model); }
+  static void destroy(void* scratch) { delete static_cast<SingleHand<Real>*>(scratch); }
+  static void solve(void* scratch, const SolverModel<Real>& model, const ActionRows<Real>& rows) {
+    static_cast<SingleHand<Real>*>(scratch)->solve({.values = rows.values[0],
+                                                    .phi = rows.phi[0],
+                                                    .vectors = rows.vectors,
+                                                    .angles = rows.angles,
+                                                    .normalized = rows.normalized,
+                                                    .azimuth_offsets = rows.azimuth_offsets[0],
+                                                    .radial_bounds = rows.radial_bounds[0]},
+                                                   {rows.q[0], model.joints.size()});
+  }
+};
+
+}  // namespace
+
+template <>
+CascadeLanes<float> cascade_lanes_scalar() {
+  return {1, &ScalarLanes<float>::make, &ScalarLanes<float>::destroy, &ScalarLanes<float>::solve};
+}
+template <>
+CascadeLanes<double> cascade_lanes_scalar() {
+  return {1, &ScalarLanes<double>::make, &ScalarLanes<double>::destroy, &ScalarLanes<double>::solve};
+}
+
+}  // namespace uhas

@@ -73,7 +73,7 @@ class BatchSolver<Real>::Crew {
     worker.refusal = {};
     for (RowChunks::Chunk chunk = chunks_.take(); !chunk.empty(); chunk = chunks_.take())
       for (std::size_t row = chunk.begin; row < chunk.end; ++row) take(worker, row);
-    for (LaneQueue<Real>& queue : worker.queues) queue.solve(rows_);
+    for (LaneQueue<Real>& queue : worker.queues) queue.finish(rows_);
   }
 
   void take(Worker& worker, std::size_t row) noexcept {

@@ -84,18 +84,23 @@ class ActionDecoder {
     plane.vectors = action.vectors;
     plane.delta_theta = decode_numbers(action, finger, plane.delta_r.data());
     plane.common_angles = action.angles == 0 || action.common_phi;
+    if (action.angles == 0)
+      for (int j = 0; j < action.vectors; ++j) plane.phi[j] = Num(default_phi_[action.vectors - 1][j]);
+    else
+      decode_angles(action, finger, plane.phi.data());
+    plane.complete(convention_.held_toward_pole, action.angles == 0);
+  }
+
+  /// [V] polar angles (rad) of a finger's driving vectors, of an action that places them: the means over its slots.
+  template <class Num>
+  void decode_angles(const ActionNumbers<Num>& action, int finger, Num* phi) const noexcept {
     const Owner& owner = owners_[finger];
     for (int j = 0; j < action.vectors; ++j) {
-      if (action.angles == 0) {
-        plane.phi[j] = Num(default_phi_[action.vectors - 1][j]);
-        continue;
-      }
-      Num sum(0);
+      phi[j] = Num(0);
       for (int n = 0; n < owner.slot_count; ++n)
-        sum += action.phi[(action.angles == action.vectors ? 0 : action.vectors * owner.slots[n]) + j];
-      plane.phi[j] = sum * Num(owner.share);
+        phi[j] += action.phi[(action.angles == action.vectors ? 0 : action.vectors * owner.slots[n]) + j];
+      phi[j] *= Num(owner.share);
     }
-    plane.complete(convention_.held_toward_pole, action.angles == 0);
   }
 
   /// delta theta (rad) of a finger, and its displacements (radii): the means over its slots.

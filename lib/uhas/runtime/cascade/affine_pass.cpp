@@ -159,8 +159,7 @@ class FingerCompiler {
       const Vector3d p = point.p.template cast<double>(), n = point.direction.template cast<double>();
       const double w = point.weight;
       own[0].add(w, 1, p, double(point.rho) * n);
-      for (int j = 0; j < vectors; ++j)
-        own[1 + j].add_pair(p, w * share(double(point.phi), j) * n);
+      for (int j = 0; j < vectors; ++j) own[1 + j].add_pair(p, w * share(double(point.phi), j) * n);
     }
     return own;
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <type_traits>
 
 #include "uhas/runtime/cascade/affine_pass.hpp"
 #include "uhas/runtime/cascade/moments.hpp"
@@ -14,7 +15,6 @@ namespace uhas {
 /// The deformation of a finger's plane, a finger or a hand a lane.
 template <class Num>
 struct WalkInput {
-  int vectors;                                  ///< V, the same in all lanes
   std::array<Num, kMaxDrivingVectors> delta_r;  ///< [V] radii
   std::array<Num, kLeadInputs> leads;           ///< `PlaneDeformation::lead`
   Num azimuth;                                  ///< rad about the z of S
@@ -47,18 +47,21 @@ class NumberReader {
     return {Rotation<Num>::from_columns(x, y, z), vector()};
   }
 
-  /// A number that is affine in the displacements.
+  /// A number that is affine in the displacements of V driving vectors.
+  template <int V>
   Num affine(const WalkInput<Num>& in) {
     Num sum = number();
-    for (int j = 0; j < in.vectors; ++j) {
+    for (int j = 0; j < V; ++j) {
       const Num linear = number();
       sum += in.delta_r[j] * linear;
     }
     return sum;
   }
+  template <int V>
   Vector3<Num> affine_vector(const WalkInput<Num>& in) {
-    const Num x = affine(in), y = affine(in);
-    return {x, y, affine(in)};
+    if constexpr (V == 0) return {};
+    const Num x = affine<V>(in), y = affine<V>(in);
+    return {x, y, affine<V>(in)};
   }
 
  private:
@@ -97,22 +100,28 @@ struct TurnSums {
   Vector3<Num> row_x, row_y;
 };
 
+template <class Num>
+TurnSums<Num> turn_sums(const PointMoments<Num>& moments) {
+  const Vector3<Num> p = moments.p, x = moments.pt[0], y = moments.pt[1], z = moments.pt[2];
+  return {hold_of(p.x, p.y, moments.weight), p.x, p.y, {x.x, y.x, z.x}, {x.y, y.y, z.y}};
+}
+
 /// The sums of a joint that carries points on its own side of the lateral turn only.
-template <class Num, bool Spread>
+template <int V, class Num, bool Spread>
 TurnSums<Num> read_sums(const WalkInput<Num>& in, NumberReader<Num, Spread>& constants,
-                                                      NumberReader<Num, Spread>& affine) {
+                        NumberReader<Num, Spread>& affine) {
   TurnSums<Num> sums;
   sums.hold = constants.number();
   sums.p_x = constants.number(), sums.p_y = constants.number();
-  sums.row_x = affine.affine_vector(in), sums.row_y = affine.affine_vector(in);
+  sums.row_x = affine.template affine_vector<V>(in), sums.row_y = affine.template affine_vector<V>(in);
   return sums;
 }
 
 /// The sums of a joint before the lateral one: the points beyond are seen through its turn.
-template <class Num, bool Spread>
+template <int V, class Num, bool Spread>
 TurnSums<Num> read_sums_before_lateral(const WalkInput<Num>& in, const SinCos<Num>& lateral,
                                        NumberReader<Num, Spread>& constants, NumberReader<Num, Spread>& affine) {
-  TurnSums<Num> sums = read_sums(in, constants, affine);
+  TurnSums<Num> sums = read_sums<V>(in, constants, affine);
   const RigidTransform<Num> X = turned(constants.transform(), lateral);
   const std::array<Num, 9>& m = X.rotation.m;
   const Vector3<Num> X_x{m[0], m[1], m[2]}, X_y{m[3], m[4], m[5]};
@@ -122,8 +131,9 @@ TurnSums<Num> read_sums_before_lateral(const WalkInput<Num>& in, const SinCos<Nu
   sums.p_x += dot(X_x, p) + beyond * X.translation.x;
   sums.p_y += dot(X_y, p) + beyond * X.translation.y;
   sums.hold = hold_of(sums.p_x, sums.p_y, weight);
-  const Vector3<Num> t = affine.affine_vector(in);
-  const Vector3<Num> pt_x = affine.affine_vector(in), pt_y = affine.affine_vector(in), pt_z = affine.affine_vector(in);
+  const Vector3<Num> t = affine.template affine_vector<V>(in);
+  const Vector3<Num> pt_x = affine.template affine_vector<V>(in), pt_y = affine.template affine_vector<V>(in),
+                     pt_z = affine.template affine_vector<V>(in);
   sums.row_x += Vector3<Num>{dot(X_x, pt_x), dot(X_x, pt_y), dot(X_x, pt_z)} + X.translation.x * t;
   sums.row_y += Vector3<Num>{dot(X_y, pt_x), dot(X_y, pt_y), dot(X_y, pt_z)} + X.translation.y * t;
   return sums;
@@ -139,9 +149,8 @@ struct WalkFit {
 /// The fit of docs/method.md#one-joint, seen from the joint's start, and `T`, its frame there, turned by it.
 /// @param closed  where no weight is left: the joint stays
 template <class Num, bool Spread>
-WalkFit<Num> fit_turn(const TurnSums<Num>& sums,
-                                                    const std::array<Num, kLeadInputs>& leads, MaskOf<Num> closed,
-                                                    NumberReader<Num, Spread>& constants, RigidTransform<Num>& T) {
+WalkFit<Num> fit_turn(const TurnSums<Num>& sums, const std::array<Num, kLeadInputs>& leads, MaskOf<Num> closed,
+                      NumberReader<Num, Spread>& constants, RigidTransform<Num>& T) {
   // targets in the joint's frame: along the present direction, and across it
   const Vector3<Num> x = T.rotation.column(0), y = T.rotation.column(1), o = T.translation;
   const Vector3<Num> row_x = sums.row_x - sums.p_x * o, row_y = sums.row_y - sums.p_y * o;
@@ -168,13 +177,15 @@ WalkFit<Num> fit_turn(const TurnSums<Num>& sums,
   return {select(below, lower, select(above, upper, q)), below | above};
 }
 
+/// @tparam V       driving vectors; 0: no affine sum is read, `replace` has them all
 /// @param replace  replace(step, sums): puts other sums in the place of the affine ones where these do not hold, and returns
 ///                 the lanes in which no weight is left at all
 /// @param place    place(step, q, at_limit) takes the outcome
-template <bool Spread, class Num, class Replace, class Place>
-void walk(const AffineBundle<LaneReal<Num>>& bundle, const WalkInput<Num>& in,
-                                        const Replace& replace, const Place& place) noexcept {
-  NumberReader<Num, Spread> constants(bundle.constants.data()), affine(bundle.affine[in.vectors - 1].data());
+template <int V, bool Spread, class Num, class Replace, class Place>
+void walk(const AffineBundle<LaneReal<Num>>& bundle, const WalkInput<Num>& in, const Replace& replace,
+          const Place& place) noexcept {
+  NumberReader<Num, Spread> constants(bundle.constants.data()),
+      affine(V == 0 ? nullptr : bundle.affine[V == 0 ? 0 : V - 1].data());
   const auto fit = [&](int step, TurnSums<Num> sums, RigidTransform<Num>& T) {
     const MaskOf<Num> closed = replace(step, sums);
     const WalkFit<Num> fitted = fit_turn(sums, in.leads, closed, constants, T);
@@ -184,14 +195,25 @@ void walk(const AffineBundle<LaneReal<Num>>& bundle, const WalkInput<Num>& in,
 
   RigidTransform<Num> T = from_turned_axes(constants.transform(), sincos(in.azimuth));
   for (int s = 0; s < bundle.before; ++s) {
-    fit(s, read_sums_before_lateral(in, lateral, constants, affine), T);
+    fit(s, read_sums_before_lateral<V>(in, lateral, constants, affine), T);
     T = T * constants.transform();
   }
   T = turned(T, lateral);
   place(bundle.before, in.lateral, MaskOf<Num>(false));
   for (int s = bundle.before + 1; s < bundle.steps(); ++s) {
     T = T * constants.transform();
-    fit(s, read_sums(in, constants, affine), T);
+    fit(s, read_sums<V>(in, constants, affine), T);
+  }
+}
+
+/// Calls `walk_for` with V as a constant, std::integral_constant<int, V>: sums are read without loops.
+template <class WalkFor>
+void with_vectors(int vectors, const WalkFor& walk_for) {
+  switch (vectors) {
+    case 1: return walk_for(std::integral_constant<int, 1>());
+    case 2: return walk_for(std::integral_constant<int, 2>());
+    case 3: return walk_for(std::integral_constant<int, 3>());
+    default: static_assert(kMaxDrivingVectors == 4); return walk_for(std::integral_constant<int, 4>());
   }
 }
 

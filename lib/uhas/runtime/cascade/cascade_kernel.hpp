@@ -2,10 +2,10 @@
 // Source files that instantiate it for plain numbers add point_targets.hpp and contact_rule.hpp.
 #pragma once
 
-#include "uhas/kinematics/lateral_lookup.hpp"
 #include "uhas/runtime/cascade/cascade.hpp"
 #include "uhas/runtime/cascade/coupled_joints.hpp"
 #include "uhas/runtime/cascade/patch_moments.hpp"
+#include "uhas/runtime/lanes/lateral_lanes.hpp"
 
 namespace uhas {
 
@@ -33,7 +33,10 @@ Num close_by_share(const SolverJoint<Real>& joint, Num q, Num open_share) {
 
 template <class Num, class Visit>
 Cascade<Num, Visit>::Cascade(const Model& model, Visit visit)
-    : planes(model.tips.size()), visit_(visit), group_planes_(model.plane_groups.fingers.size()), joints_(model.joints.size()) {}
+    : planes(model.tips.size()),
+      visit_(visit),
+      group_planes_(model.plane_groups.fingers.size()),
+      joints_(model.joints.size()) {}
 
 template <class Num, class Visit>
 void Cascade<Num, Visit>::begin(const Model& model) noexcept {
@@ -78,9 +81,7 @@ void Cascade<Num, Visit>::begin_joints(const Model& model, const SolverPart& par
   for (int k : part.laterals) {
     const SolverLateral<Real>& lateral = model.laterals[k];
     const Num& delta_theta = plane_of(model, lateral.finger).delta_theta;
-    Num value;
-    for (int l = 0; l < LaneTraits<Num>::width; ++l)
-      set_lane(value, l, look_up_lateral<Real>(lateral.inverse_q, lateral.lower, lateral.upper, lane(delta_theta, l)));
+    const Num value = look_up_lateral(lateral, delta_theta);
     JointState& state = states[lateral.joint];
     const Mask moved = value != state.value.q;
     state.set(any(moved) ? choose(moved, joints[lateral.joint].value(value), state.value) : state.value);
@@ -145,7 +146,7 @@ void Cascade<Num, Visit>::sweep(const Model& model, const SolverPart& part, cons
 /// moments from the tips inward, with the joints further out at their present values (docs/method.md#moments)
 template <class Num, class Visit>
 void Cascade<Num, Visit>::carry_moments(const Model& model, std::span<const ScopedJoint> scope,
-                                       const Pass& pass) noexcept {
+                                        const Pass& pass) noexcept {
   JointState* const states = joints_.data();
   const SolverJoint<Real>* const joints = model.joints.data();
   const SolverStart<Real>* const starts = model.starts.data();
@@ -183,7 +184,7 @@ void Cascade<Num, Visit>::move_frames(const Model& model, std::span<const Scoped
 /// `F` is the frame of the step's first joint before its own motion
 template <class Num, class Visit>
 void Cascade<Num, Visit>::solve_step(const Model& model, const SolverStep& step, const RigidTransform<Num>& F,
-                                    const Pass& pass) noexcept {
+                                     const Pass& pass) noexcept {
   JointState& state = joints_[step.joint];
   // the weight that the step carries, with and without what closing has taken
   Num full_weight = state.carried.full_weight, weight = state.carried.weight;
@@ -213,7 +214,8 @@ void Cascade<Num, Visit>::solve_step(const Model& model, const SolverStep& step,
 
 template <class Num, class Visit>
 typename Cascade<Num, Visit>::Fit Cascade<Num, Visit>::fit_step(const Model& model, const SolverStep& step,
-                                                              const RigidTransform<Num>& F, const Pass& pass) noexcept {
+                                                                const RigidTransform<Num>& F,
+                                                                const Pass& pass) noexcept {
   if constexpr (LaneTraits<Num>::width == 1) {  // the contact rule is not made for lanes
     if (model.options.rule == CascadeRule::contact) {
       const SolverJoint<Real>& joint = model.joints[step.joint];
@@ -227,8 +229,8 @@ typename Cascade<Num, Visit>::Fit Cascade<Num, Visit>::fit_step(const Model& mod
 /// The value of least squares in closed form, seen from the present one (docs/method.md#one-joint).
 template <class Num, class Visit>
 typename Cascade<Num, Visit>::Fit Cascade<Num, Visit>::fit_single(const Model& model, const SolverStep& step,
-                                                                const RigidTransform<Num>& F,
-                                                                const Pass& pass) const noexcept {
+                                                                  const RigidTransform<Num>& F,
+                                                                  const Pass& pass) const noexcept {
   const Num zero(0), one(1);
   const SolverJoint<Real>& j = model.joints[step.joint];
   const PointMoments<Num>& moments = joints_[step.joint].carried;
@@ -267,7 +269,7 @@ typename Cascade<Num, Visit>::Fit Cascade<Num, Visit>::fit_single(const Model& m
 /// `value` clamped; cosine and sine of the limits are at hand
 template <class Num, class Visit>
 typename Cascade<Num, Visit>::Fit Cascade<Num, Visit>::within_limits(const SolverJoint<Real>& joint,
-                                                                   const JointValue<Num>& value) const noexcept {
+                                                                     const JointValue<Num>& value) const noexcept {
   const Mask below = value.q < Num(joint.lower.q);
   const Mask above = value.q > Num(joint.upper.q);
   const Mask outside = below | above;
@@ -279,7 +281,7 @@ typename Cascade<Num, Visit>::Fit Cascade<Num, Visit>::within_limits(const Solve
 /// the step's joint to `value`, its followers after it
 template <class Num, class Visit>
 void Cascade<Num, Visit>::set_unknown(const Model& model, const SolverStep& step,
-                                     const JointValue<Num>& value) noexcept {
+                                      const JointValue<Num>& value) noexcept {
   joints_[step.joint].set(value);
   if (step.single) return;
   for (int i : step.driven) {

@@ -33,7 +33,7 @@ Real gap_to_profile(const PlaneDeformation<Real>& plane, Vector3<Real> p) {
 /// turn from open until the node meets the profile of its finger's plane
 template <class Num, class Visit>
 Num Cascade<Num, Visit>::contact_single(const Model& model, const SolverStep& step,
-                                       const RigidTransform<Num>& F) noexcept {
+                                        const RigidTransform<Num>& F) noexcept {
   const SolverJoint<Real>& joint = model.joints[step.joint];
   if (joint.prismatic || step.nodes.size() != 1) return contact_group(model, step);
   // the node runs on a circle about the joint's axis, in the plane of its finger

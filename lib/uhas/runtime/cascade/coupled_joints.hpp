@@ -11,7 +11,7 @@ namespace uhas {
 /// minimum on the way, in steps of a quarter of the range at most and within the bracket it has found.
 template <class Num, class Visit>
 typename Cascade<Num, Visit>::Fit Cascade<Num, Visit>::fit_group(const Model& model, const SolverStep& step,
-                                                               const Pass& pass) noexcept {
+                                                                 const Pass& pass) noexcept {
   constexpr int most_steps = 12;
   constexpr Real settled_step = std::is_same_v<Real, float> ? Real(1e-4) : Real(1e-6);  // the error left is its square
   const SolverJoint<Real>& joint = model.joints[step.joint];
@@ -48,8 +48,8 @@ typename Cascade<Num, Visit>::Fit Cascade<Num, Visit>::fit_group(const Model& mo
 /// slope and bend at this value of the group's unknown
 template <class Num, class Visit>
 typename Cascade<Num, Visit>::Descent Cascade<Num, Visit>::descent(const Model& model, const SolverStep& step,
-                                                                 const JointValue<Num>& value,
-                                                                 const Pass& pass) noexcept {
+                                                                   const JointValue<Num>& value,
+                                                                   const Pass& pass) noexcept {
   // the joints at that value, with moments and frames to match
   set_unknown(model, step, value);
   carry_moments(model, step.scope, pass);

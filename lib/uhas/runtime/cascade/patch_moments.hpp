@@ -29,34 +29,60 @@ Num open_share(const typename RadialProfile<Num>::At& radial, CascadeClosing clo
   return u * u * (Num(3) - Num(2) * u);
 }
 
-/// Adds points under a deformation, each with what closing has left of it.
-/// @tparam Num  numbers of one point and one hand, of a point a lane or of a hand a lane
+/// A surface point, or as many as Num has lanes.
 template <class Num>
-void add_points(Num phi, Num rho, Num weight, const Vector3<Num>& p, const Vector3<Num>& direction,
-                const RadialProfile<Num>& profile, CascadeClosing closing, PointMoments<Num>& moments) {
-  // displacement and share at the points' polar angles
-  const auto radial = profile.at(phi);
-  const Num share = weight * open_share<Num>(radial, closing);
-  // targets go out along the direction, not behind the centre
-  const Num target = share * max(rho + radial.delta_r, Num(0));
-  // W, P, T and M of docs/method.md#moments
-  moments.weight += share;
-  moments.p += share * p;
-  moments.add_pair(p, target * direction);
+struct PointNumbers {
+  Num phi, rho, weight;
+  Vector3<Num> p, direction;
+};
+
+/// Sums over `count` points under a deformation, each with what closing has left of it; the full weight stays 0.
+/// @tparam Num      numbers of one point and one hand, of a point a lane or of a hand a lane
+/// @param point_at  point_at(k): PointNumbers
+template <class Num, class PointAt>
+PointMoments<Num> visit_points(std::size_t count, const PointAt& point_at, const RadialProfile<Num>& profile,
+                               CascadeClosing closing) {
+  PointMoments<Num> moments;
+  // in two rounds a block of points: registers do not hold all the sums at once
+  constexpr std::size_t block = 32;
+  for (std::size_t first = 0; first < count; first += block) {
+    const std::size_t length = std::min(block, count - first);
+    std::array<Num, block> targets;
+    for (std::size_t k = 0; k < length; ++k) {
+      const PointNumbers<Num> point = point_at(first + k);
+      // displacement and share at the point's polar angle
+      const auto radial = profile.at(point.phi);
+      const Num share = point.weight * open_share<Num>(radial, closing);
+      // the target goes out along the direction, not behind the centre
+      targets[k] = share * max(point.rho + radial.delta_r, Num(0));
+      // W, P and T of docs/method.md#moments
+      moments.weight += share;
+      moments.p += share * point.p;
+      moments.t += targets[k] * point.direction;
+    }
+    for (std::size_t k = 0; k < length; ++k) {
+      const PointNumbers<Num> point = point_at(first + k);
+      // M
+      const Vector3<Num> target = targets[k] * point.direction;
+      moments.pt[0] += target.x * point.p;
+      moments.pt[1] += target.y * point.p;
+      moments.pt[2] += target.z * point.p;
+    }
+  }
+  return moments;
 }
 
-/// Moments of a patch, one point after the other; its full weight stays 0.
+/// Moments of a patch, one point after the other.
 struct VisitInTurn {
   template <class Num>
   PointMoments<Num> operator()(const PointColumns<LaneReal<Num>>& columns, const RadialProfile<Num>& profile,
                                CascadeClosing closing) const {
-    PointMoments<Num> moments;
-    for (std::size_t k = 0; k < columns.count; ++k) {
+    const auto point_at = [&](std::size_t k) {
       const auto vector = [&](const auto& v) { return Vector3<Num>{Num(v[0][k]), Num(v[1][k]), Num(v[2][k])}; };
-      add_points(Num(columns.phi[k]), Num(columns.rho[k]), Num(columns.weight[k]), vector(columns.p),
-                 vector(columns.direction), profile, closing, moments);
-    }
-    return moments;
+      return PointNumbers<Num>{Num(columns.phi[k]), Num(columns.rho[k]), Num(columns.weight[k]), vector(columns.p),
+                               vector(columns.direction)};
+    };
+    return visit_points<Num>(columns.count, point_at, profile, closing);
   }
 };
 
@@ -77,17 +103,13 @@ PointMoments<LaneReal<Wide>> visit_side_by_side(const PointColumns<LaneReal<Wide
   }
   PointMoments<Wide> all;
   for (std::size_t first = 0; first < stride; first += width) {
-    PointMoments<Wide> moments;
-    for (std::size_t k = first; k < columns.length; k += stride) {
-      const auto column = [&](const auto& numbers) { return load<Wide>(numbers.data() + k); };
+    const auto point_at = [&](std::size_t k) {
+      const auto column = [&](const auto& numbers) { return load<Wide>(numbers.data() + first + k * stride); };
       const auto vector = [&](const auto& v) { return Vector3<Wide>{column(v[0]), column(v[1]), column(v[2])}; };
-      add_points(column(columns.phi), column(columns.rho), column(columns.weight), vector(columns.p),
-                 vector(columns.direction), spread, closing, moments);
-    }
-    if (first == 0)
-      all = moments;
-    else
-      all.add(moments);
+      return PointNumbers<Wide>{column(columns.phi), column(columns.rho), column(columns.weight), vector(columns.p),
+                                vector(columns.direction)};
+    };
+    all.add(visit_points<Wide>(columns.length / stride, point_at, spread, closing));
   }
   const auto vector = [](const Vector3<Wide>& v) { return Vector3<Real>{sum(v.x), sum(v.y), sum(v.z)}; };
   PointMoments<Real> moments;

@@ -19,7 +19,7 @@ void Cascade<Num, Visit>::average_planes(const Model& model) noexcept {
 /// where a material point goes (docs/method.md#targets), and what closing leaves of it
 template <class Num, class Visit>
 typename Cascade<Num, Visit>::Target Cascade<Num, Visit>::target_of(const Model& model,
-                                                                  const SolverPoint<Real>& point) const noexcept {
+                                                                    const SolverPoint<Real>& point) const noexcept {
   // the deformation at the point: its finger's, or that between the planes on either side
   Displacement<Num> moved;
   if (model.options.field == FieldReading::finger) {

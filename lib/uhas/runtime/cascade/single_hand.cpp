@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "uhas/runtime/cascade/affine_walk.hpp"
 #include "uhas/runtime/cascade/cascade_kernel.hpp"
 #include "uhas/runtime/cascade/contact_rule.hpp"
 #include "uhas/runtime/cascade/point_targets.hpp"
@@ -75,8 +76,7 @@ void SingleHand<Real>::solve_others(const ActionNumbers<Real>& action, std::span
 }
 
 template <class Real>
-void SingleHand<Real>::solve_bundle(std::size_t index, const ActionNumbers<Real>& action,
-                                    std::span<Real> q) noexcept {
+void SingleHand<Real>::solve_bundle(std::size_t index, const ActionNumbers<Real>& action, std::span<Real> q) noexcept {
   const Bundle& bundle = (*bundles_)[index];
   const AffineBundle<Real>& constants = bundle.constants;
   FadedSums<Real> faded{0, sums_.data() + kTurnSums * bundle.first, open_share_.data() + bundle.first};
@@ -95,8 +95,7 @@ void SingleHand<Real>::solve_bundle(std::size_t index, const ActionNumbers<Real>
     for (const auto& place : bundle.places) q[place.joint] = walked[place.number];
   else
     for (const auto& place : bundle.places)
-      q[place.joint] =
-          close_by_share(model_->joints[place.joint], walked[place.number], share_left_at(index, place));
+      q[place.joint] = close_by_share(model_->joints[place.joint], walked[place.number], share_left_at(index, place));
   for (const AffineFinger<Real>& finger : constants.fingers)
     for (const auto& [joint, value] : finger.others) q[joint] = model_->joints[joint].in_profile_units(value);
 }
@@ -116,11 +115,7 @@ bool SingleHand<Real>::decode_finger(const AffineFinger<Real>& finger, const Act
   std::array<Real, kMaxDrivingVectors> delta_r;
   const Real delta_theta = model_->decoder.decode_numbers(action, finger.finger, delta_r.data());
   input_.azimuth[lane] = model_->azimuth_sign * delta_theta;
-  input_.lateral[lane] = 0;
-  if (finger.lateral >= 0) {
-    const SolverLateral<Real>& table = model_->laterals[finger.lateral];
-    input_.lateral[lane] = look_up_lateral<Real>(table.inverse_q, table.lower, table.upper, delta_theta);
-  }
+  input_.lateral[lane] = finger.lateral < 0 ? Real(0) : look_up_lateral(model_->laterals[finger.lateral], delta_theta);
   Real lowest = delta_r[0];
   for (int j = 0; j < action.vectors; ++j) {
     input_.delta_r[j][lane] = delta_r[j];
@@ -136,8 +131,7 @@ bool SingleHand<Real>::decode_finger(const AffineFinger<Real>& finger, const Act
 
 /// the sums of the finger in a lane, point by point, and its leads
 template <class Real>
-void SingleHand<Real>::visit_points(const Bundle& bundle, const ActionNumbers<Real>& action,
-                                    int lane) noexcept {
+void SingleHand<Real>::visit_points(const Bundle& bundle, const ActionNumbers<Real>& action, int lane) noexcept {
   const AffineFinger<Real>& finger = bundle.constants.fingers[lane];
   PlaneDeformation<Real>& plane = cascade_.planes[finger.finger];
   model_->decoder.decode_finger(action, finger.finger, plane);
@@ -146,9 +140,11 @@ void SingleHand<Real>::visit_points(const Bundle& bundle, const ActionNumbers<Re
   for (int s = 0; s < bundle.constants.steps(); ++s) {
     const PointMoments<Real> nothing;
     const PointMoments<Real>& m = finger.joints[s] < 0 ? nothing : cascade_.carried(finger.joints[s]);
-    const Real sums[kTurnSums] = {hold_of(m.p.x, m.p.y, m.weight), m.p.x, m.p.y, m.pt[0].x, m.pt[1].x, m.pt[2].x,
-                                  m.pt[0].y, m.pt[1].y, m.pt[2].y};
-    for (int n = 0; n < kTurnSums; ++n) sums_[kTurnSums * bundle.first + (s * kTurnSums + n) * lanes_.width + lane] = sums[n];
+    const TurnSums<Real> found = turn_sums(m);
+    const Real sums[kTurnSums] = {found.hold,    found.p_x,     found.p_y,     found.row_x.x, found.row_x.y,
+                                  found.row_x.z, found.row_y.x, found.row_y.y, found.row_y.z};
+    for (int n = 0; n < kTurnSums; ++n)
+      sums_[kTurnSums * bundle.first + (s * kTurnSums + n) * lanes_.width + lane] = sums[n];
     open_share_[bundle.first + s * lanes_.width + lane] = share_left(m.weight, m.full_weight, model_->options.closing);
   }
 }
@@ -182,27 +178,31 @@ template <class Real>
 struct ScalarLanes {
   static void* make(const SolverModel<Real>& model) { return new SingleHand<Real>(model); }
   static void destroy(void* scratch) { delete static_cast<SingleHand<Real>*>(scratch); }
-  static void solve(void* scratch, const SolverModel<Real>& model, const ActionRows<Real>& rows) {
-    static_cast<SingleHand<Real>*>(scratch)->solve({.values = rows.values[0],
-                                                    .phi = rows.phi[0],
-                                                    .vectors = rows.vectors,
-                                                    .angles = rows.angles,
-                                                    .normalized = rows.normalized,
-                                                    .azimuth_offsets = rows.azimuth_offsets[0],
-                                                    .radial_bounds = rows.radial_bounds[0]},
-                                                   {rows.q[0], model.joints.size()});
+  static void take(void* scratch, const ActionRows<Real>& rows) {
+    SingleHand<Real>& hand = *static_cast<SingleHand<Real>*>(scratch);
+    hand.solve({.values = rows.values[0],
+                .phi = rows.phi[0],
+                .vectors = rows.vectors,
+                .angles = rows.angles,
+                .normalized = rows.normalized,
+                .azimuth_offsets = rows.azimuth_offsets[0],
+                .radial_bounds = rows.radial_bounds[0]},
+               {rows.q[0], hand.joint_count()});
   }
+  static void finish(void*) {}
 };
 
 }  // namespace
 
 template <>
 CascadeLanes<float> cascade_lanes_scalar() {
-  return {1, &ScalarLanes<float>::make, &ScalarLanes<float>::destroy, &ScalarLanes<float>::solve};
+  return {1, &ScalarLanes<float>::make, &ScalarLanes<float>::destroy, &ScalarLanes<float>::take,
+          &ScalarLanes<float>::finish};
 }
 template <>
 CascadeLanes<double> cascade_lanes_scalar() {
-  return {1, &ScalarLanes<double>::make, &ScalarLanes<double>::destroy, &ScalarLanes<double>::solve};
+  return {1, &ScalarLanes<double>::make, &ScalarLanes<double>::destroy, &ScalarLanes<double>::take,
+          &ScalarLanes<double>::finish};
 }
 
 }  // namespace uhas

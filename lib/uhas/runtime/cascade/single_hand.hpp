@@ -16,6 +16,8 @@ class SingleHand {
   /// `model` must outlive this and its copies.
   explicit SingleHand(const SolverModel<Real>& model);
 
+  std::size_t joint_count() const noexcept { return model_->joints.size(); }
+
   /// @param action  that has passed ActionDecoder::check
   /// @param q       [joint] profile units, out
   void solve(const ActionNumbers<Real>& action, std::span<Real> q) noexcept;
@@ -50,9 +52,9 @@ class SingleHand {
   std::shared_ptr<const std::vector<Bundle>> bundles_;
   std::vector<int> other_parts_;  // that no bundle has
   Cascade<Real, Visit> cascade_;
-  FingerInput<Real> input_{};                          // of a bundle; lanes without a finger stay at rest
+  FingerInput<Real> input_{};                           // of a bundle; lanes without a finger stay at rest
   std::vector<Real> q_, at_limit_, open_share_, sums_;  // of all bundles, as FingerLanes has them
-  std::vector<unsigned> faded_;                        // [bundle] lanes
+  std::vector<unsigned> faded_;                         // [bundle] lanes
 };
 
 }  // namespace uhas

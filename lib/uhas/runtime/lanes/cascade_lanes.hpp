@@ -23,13 +23,15 @@ struct ActionRows {
   bool normalized;
 };
 
-/// `make` returns the scratch memory of one thread for one hand; `solve` writes no more than that and the rows' q.
+/// `make` returns the scratch memory of one thread for one hand, whose model must outlive it. `take` solves rows, or what it
+/// can of them: what waits for more rows of the same batch, `finish` ends. Both write no more than that memory and rows' q.
 template <class Real>
 struct CascadeLanes {
   int width;
   void* (*make)(const SolverModel<Real>& model);
   void (*destroy)(void* scratch);
-  void (*solve)(void* scratch, const SolverModel<Real>& model, const ActionRows<Real>& rows);
+  void (*take)(void* scratch, const ActionRows<Real>& rows);
+  void (*finish)(void* scratch);
 };
 
 template <class Real>

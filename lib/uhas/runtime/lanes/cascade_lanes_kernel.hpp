@@ -1,17 +1,47 @@
-// The one source of every CascadeLanes.
+// The one source of every CascadeLanes. A finger that stands alone is the unit: whole fingers of as many hands as there are
+// lanes walk together, and so do fingers with points that fade; all else goes through the cascade, a hand a lane. Which way
+// a finger goes depends on its own hand alone, and so do its bits.
 #pragma once
 
+#include <vector>
+
+#include "uhas/runtime/cascade/affine_walk.hpp"
 #include "uhas/runtime/cascade/cascade_kernel.hpp"
 #include "uhas/runtime/lanes/cascade_lanes.hpp"
+#include "uhas/runtime/lanes/finger_queue.hpp"
+#include "uhas/runtime/lanes/lateral_lanes.hpp"
 
 namespace uhas {
 
 template <class Num>
-struct CascadeLanesOf {
+class CascadeLanesOf {
+ public:
   using Real = LaneReal<Num>;
-  using Scratch = Cascade<Num, VisitInTurn>;
+  using Model = SolverModel<Real>;
+  using Finger = AffineFinger<Real>;
+  using Rows = FingerRows<Num>;
   static constexpr int width = LaneTraits<Num>::width;
   static_assert(width <= kMostLanes);
+
+  static CascadeLanes<Real> functions() { return {width, &make, &destroy, &take, &finish}; }
+
+ private:
+  explicit CascadeLanesOf(const Model& model)
+      : model_(model),
+        fingers_(bundle_fingers(model, 1)),
+        whole_(fingers_.size()),
+        faded_(fingers_.size()),
+        cascade_(model) {
+    std::vector<bool> alone(model.parts.size());
+    for (const AffineBundle<Real>& finger : fingers_) alone[finger.fingers.front().part] = true;
+    for (int n = 0; n < static_cast<int>(alone.size()); ++n)
+      if (!alone[n]) other_parts_.push_back(n);
+  }
+
+  static void* make(const Model& model) { return new CascadeLanesOf(model); }
+  static void destroy(void* scratch) { delete static_cast<CascadeLanesOf*>(scratch); }
+  static void take(void* scratch, const ActionRows<Real>& rows) { static_cast<CascadeLanesOf*>(scratch)->take(rows); }
+  static void finish(void* scratch) { static_cast<CascadeLanesOf*>(scratch)->finish(); }
 
   /// Number by number, a row a lane.
   static void gather(const Real* const* rows, int count, Num* numbers) {
@@ -19,11 +49,7 @@ struct CascadeLanesOf {
       for (int l = 0; l < width; ++l) set_lane(numbers[i], l, rows[l][i]);
   }
 
-  static void* make(const SolverModel<Real>& model) { return new Scratch(model); }
-  static void destroy(void* scratch) { delete static_cast<Scratch*>(scratch); }
-
-  static void solve(void* scratch, const SolverModel<Real>& model, const ActionRows<Real>& rows) {
-    Scratch& cascade = *static_cast<Scratch*>(scratch);
+  void take(const ActionRows<Real>& rows) {
     // rows to lanes: number by number, a row a lane
     Num values[kSlotCount * (1 + kMaxDrivingVectors)], phi[kSlotCount * kMaxDrivingVectors];
     Num azimuth_offsets[kSlotCount], radial_bounds[2];
@@ -40,18 +66,127 @@ struct CascadeLanesOf {
                                      .normalized = rows.normalized,
                                      .azimuth_offsets = have_offsets ? azimuth_offsets : nullptr,
                                      .radial_bounds = have_bounds ? radial_bounds : nullptr};
-    // as for one hand (cascade_solver.cpp), all lanes at once
-    model.decoder.decode(numbers, cascade.planes.data());
-    cascade.begin(model);
-    for (const SolverPart& part : model.parts) cascade.run(model, part);
-    // lanes to rows, in the profile's units
-    for (int i = 0; i < static_cast<int>(model.joints.size()); ++i) {
-      const Num q = model.joints[i].in_profile_units(cascade.q(i));
-      for (int l = 0; l < rows.count; ++l) rows.q[l][i] = lane(q, l);
+    vectors_ = rows.vectors, angles_ = rows.angles, common_phi_ = numbers.common_phi;
+    for (std::size_t n = 0; n < fingers_.size(); ++n) take_finger(n, numbers, rows);
+    if (!other_parts_.empty()) solve_others(numbers, rows);
+  }
+
+  void take_finger(std::size_t n, const ActionNumbers<Num>& numbers, const ActionRows<Real>& rows) {
+    const Finger& finger = fingers_[n].fingers.front();
+    Rows hands{};
+    hands.count = rows.count;
+    hands.delta_theta = model_.decoder.decode_numbers(numbers, finger.finger, hands.delta_r.data());
+    if (angles_ != 0) model_.decoder.decode_angles(numbers, finger.finger, hands.phi.data());
+    std::copy_n(rows.q, width, hands.q.begin());
+    // whole ones at once if all are, else as soon as there are enough; so those that fade
+    Num lowest = hands.delta_r[0];
+    for (int j = 1; j < vectors_; ++j) lowest = min(lowest, hands.delta_r[j]);
+    const MaskOf<Num> whole = angles_ == 0 ? lowest >= Num(finger.lowest) : MaskOf<Num>(false);
+    if (all(whole)) return walk_whole(n, hands);
+    for (int l = 0; l < hands.count; ++l) {
+      const bool is_whole = lane(whole, l);
+      Rows& waiting = is_whole ? whole_[n] : faded_[n];
+      waiting.push(hands, l, vectors_);
+      if (waiting.count == width) is_whole ? walk_whole(n, waiting) : walk_faded(n, waiting);
     }
   }
 
-  static CascadeLanes<Real> functions() { return {width, &make, &destroy, &solve}; }
+  /// Those that still wait.
+  void finish() {
+    for (std::size_t n = 0; n < fingers_.size(); ++n) {
+      if (whole_[n].count > 0) walk_whole(n, whole_[n]);
+      if (faded_[n].count > 0) walk_faded(n, faded_[n]);
+    }
+  }
+
+  WalkInput<Num> input_of(const Finger& finger, const Rows& hands) const {
+    WalkInput<Num> in;
+    in.delta_r = hands.delta_r;
+    in.azimuth = Num(model_.azimuth_sign) * hands.delta_theta;
+    in.lateral = finger.lateral < 0 ? Num(0) : look_up_lateral(model_.laterals[finger.lateral], hands.delta_theta);
+    return in;
+  }
+
+  [[gnu::flatten]] void walk_whole(std::size_t n, Rows& hands) {
+    const Finger& finger = fingers_[n].fingers.front();
+    WalkInput<Num> in = input_of(finger, hands);
+    for (int u = 0; u < kLeadInputs; ++u) {
+      Num there(0);
+      for (int j = 0; j < vectors_; ++j) there += Num(model_.decoder.lead_share(vectors_, u, j)) * in.delta_r[j];
+      in.leads[u] = lead_input(there);
+    }
+    with_vectors(vectors_, [&](auto vectors) {
+      walk<decltype(vectors)::value, true>(
+          fingers_[n], in, [](int, TurnSums<Num>&) { return MaskOf<Num>(false); },
+          [&](int step, const Num& q, const MaskOf<Num>&) { store_joint(hands, finger.joints[step], q); });
+    });
+    store_others(finger, hands);
+    hands.count = 0;
+  }
+
+  [[gnu::flatten]] void walk_faded(std::size_t n, Rows& hands) {
+    const Finger& finger = fingers_[n].fingers.front();
+    PlaneDeformation<Num>& plane = cascade_.planes[finger.finger];
+    static_cast<RadialProfile<Num>&>(plane).delta_r = hands.delta_r;
+    plane.vectors = vectors_;
+    plane.delta_theta = hands.delta_theta;
+    plane.common_angles = angles_ == 0 || common_phi_;
+    for (int j = 0; j < vectors_; ++j)
+      plane.phi[j] = angles_ == 0 ? Num(model_.decoder.default_angles(vectors_)[j]) : hands.phi[j];
+    plane.complete(model_.options.convention.held_toward_pole, angles_ == 0);
+    WalkInput<Num> in = input_of(finger, hands);
+    in.leads = plane.lead;
+
+    // sums from the points, and at the end each joint goes on to its closed end by what closing has taken
+    cascade_.carry(model_, model_.parts[finger.part]);
+    Num open_share;
+    walk<0, true>(
+        fingers_[n], in,
+        [&](int step, TurnSums<Num>& sums) {
+          const PointMoments<Num> nothing;
+          const PointMoments<Num>& m = finger.joints[step] < 0 ? nothing : cascade_.carried(finger.joints[step]);
+          sums = turn_sums(m);
+          open_share = share_left(m.weight, m.full_weight, model_.options.closing);
+          return open_share <= Num(0);
+        },
+        [&](int step, const Num& q, const MaskOf<Num>&) {
+          const int joint = finger.joints[step];
+          if (joint < 0) return;
+          store_joint(hands, joint,
+                      step == fingers_[n].before ? q : close_by_share(model_.joints[joint], q, open_share));
+        });
+    store_others(finger, hands);
+    hands.count = 0;
+  }
+
+  void solve_others(const ActionNumbers<Num>& numbers, const ActionRows<Real>& rows) {
+    model_.decoder.decode(numbers, cascade_.planes.data());
+    for (int n : other_parts_) {
+      cascade_.run(model_, model_.parts[n]);
+      for (const ScopedJoint& s : model_.parts[n].tree) {
+        const Num q = model_.joints[s.joint].in_profile_units(cascade_.q(s.joint));
+        for (int l = 0; l < rows.count; ++l) rows.q[l][s.joint] = lane(q, l);
+      }
+    }
+  }
+
+  /// A turn, which has the same unit everywhere.
+  static void store_joint(const Rows& hands, int joint, const Num& q) {
+    if (joint < 0) return;
+    for (int l = 0; l < hands.count; ++l) hands.q[l][joint] = lane(q, l);
+  }
+  void store_others(const Finger& finger, const Rows& hands) const {
+    for (const auto& [joint, value] : finger.others)
+      for (int l = 0; l < hands.count; ++l) hands.q[l][joint] = model_.joints[joint].in_profile_units(value);
+  }
+
+  const Model& model_;
+  std::vector<AffineBundle<Real>> fingers_;  // of one finger each
+  std::vector<Rows> whole_, faded_;          // [of fingers_] that wait
+  std::vector<int> other_parts_;
+  Cascade<Num, VisitInTurn> cascade_;
+  int vectors_ = 0, angles_ = 0;  // of the present batch
+  bool common_phi_ = true;
 };
 
 }  // namespace uhas

@@ -12,10 +12,9 @@ struct FingerLanesOf {
   static constexpr int width = LaneTraits<Num>::width;
   static_assert(width <= kMostFingerLanes);
 
-  [[gnu::flatten]] static void walk(const AffineBundle<Real>& bundle, const FingerInput<Real>& input, const FadedSums<Real>& faded,
-                   const FingerOutput<Real>& output) {
+  [[gnu::flatten]] static void walk(const AffineBundle<Real>& bundle, const FingerInput<Real>& input,
+                                    const FadedSums<Real>& faded, const FingerOutput<Real>& output) {
     WalkInput<Num> in;
-    in.vectors = input.vectors;
     for (int j = 0; j < input.vectors; ++j) in.delta_r[j] = load<Num>(input.delta_r[j]);
     for (int u = 0; u < kLeadInputs; ++u) in.leads[u] = load<Num>(input.leads[u]);
     in.azimuth = load<Num>(input.azimuth), in.lateral = load<Num>(input.lateral);
@@ -24,14 +23,18 @@ struct FingerLanesOf {
       store(q, output.q + step * width);
       store(select(at_limit, Num(1), Num(0)), output.at_limit + step * width);
     };
-    if (faded.lanes == 0)
-      uhas::walk<false>(bundle, in, [](int, TurnSums<Num>&) { return MaskOf<Num>(false); }, place);
-    else
-      uhas::walk<false>(bundle, in, FoundSums{lanes_of(faded.lanes), faded}, place);
+    with_vectors(input.vectors, [&](auto vectors) {
+      constexpr int V = decltype(vectors)::value;
+      if (faded.lanes == 0)
+        uhas::walk<V, false>(
+            bundle, in, [](int, TurnSums<Num>&) { return MaskOf<Num>(false); }, place);
+      else
+        uhas::walk<V, false>(bundle, in, FoundSums{lanes_of(faded.lanes), faded}, place);
+    });
   }
 
-  [[gnu::flatten]] static PointMoments<Real> visit(const PointColumns<Real>& columns, const RadialProfile<Real>& profile,
-                                  CascadeClosing closing) {
+  [[gnu::flatten]] static PointMoments<Real> visit(const PointColumns<Real>& columns,
+                                                   const RadialProfile<Real>& profile, CascadeClosing closing) {
     return visit_side_by_side<Num>(columns, profile, closing);
   }
 

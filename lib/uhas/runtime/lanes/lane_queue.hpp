@@ -24,11 +24,18 @@ class LaneQueue {
     waiting_.azimuth_offsets[waiting_.count] = data_or_null(action.azimuth_offsets);
     waiting_.radial_bounds[waiting_.count] = data_or_null(action.radial_bounds);
     waiting_.q[waiting_.count] = rows.q(row);
-    if (++waiting_.count == lanes_.width) solve(rows);
+    if (++waiting_.count == lanes_.width) take(rows);
   }
 
-  /// Solves the rows that wait, if any. Lanes that have none repeat the first.
-  void solve(const BatchRows<Real>& rows) noexcept {
+  /// Solves what still waits.
+  void finish(const BatchRows<Real>& rows) noexcept {
+    take(rows);
+    lanes_.finish(scratch_.get());
+  }
+
+ private:
+  /// The rows that wait, if any. Lanes that have none repeat the first.
+  void take(const BatchRows<Real>& rows) noexcept {
     if (waiting_.count == 0) return;
     for (int l = waiting_.count; l < lanes_.width; ++l) {
       waiting_.values[l] = waiting_.values[0];
@@ -40,11 +47,10 @@ class LaneQueue {
     waiting_.angles = rows.angles();
     waiting_.common_phi = rows.have_common_angles();
     waiting_.normalized = rows.are_normalized();
-    lanes_.solve(scratch_.get(), *model_, waiting_);
+    lanes_.take(scratch_.get(), waiting_);
     waiting_.count = 0;
   }
 
- private:
   CascadeLanes<Real> lanes_;
   std::shared_ptr<const SolverModel<Real>> model_;
   std::unique_ptr<void, void (*)(void*)> scratch_;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "uhas/runtime/cascade/moments.hpp"
+#include "uhas/runtime/cascade/patch_moments.hpp"
 #include "uhas/runtime/cascade/solver_model.hpp"
 
 namespace uhas {
@@ -40,10 +41,12 @@ class Cascade {
   }
   const PointMoments<Num>& carried(int joint) const noexcept { return joints_[joint].carried; }
 
-  /// Weighted rms distance of the points from their targets, sphere radii; NaN when closing has dropped every point.
-  /// Plain numbers only.
-  /// @param q  [joint] profile units
-  double residual_rms(const Model& model, std::span<const Num> q) noexcept;
+  /// All frames at the joint values `q` [joint] (profile units), closing included. Plain numbers only.
+  void place_joints(const Model& model, std::span<const Num> q) noexcept;
+  const RigidTransform<Num>& frame(int joint) const noexcept { return joints_[joint].T_S_moved; }
+
+  /// How far the points are from their targets, in the frames that `place_joints` has set. Plain numbers only.
+  SquaredErrors squared_errors(const Model& model) const noexcept;
 
   const Num& q(int joint) const noexcept { return joints_[joint].q; }
   const Mask& at_limit(int joint) const noexcept { return joints_[joint].at_limit; }

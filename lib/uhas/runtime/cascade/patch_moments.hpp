@@ -7,6 +7,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "uhas/runtime/cascade/plane_deformation.hpp"
 #include "uhas/runtime/cascade/surface_patches.hpp"
@@ -86,31 +88,52 @@ struct VisitInTurn {
   }
 };
 
-/// The same for one hand, `Wide` points at once. Points a fixed stride apart go into one sum, so that lanes of any width
-/// give the same bits.
+/// Points of a patch side by side, `Wide` lanes of them at once, for one hand. Points a fixed stride apart go into one sum,
+/// so that lanes of any width give the same bits.
+template <class Wide>
+class PointsSideBySide {
+ public:
+  using Real = LaneReal<Wide>;
+
+  PointsSideBySide(const PointColumns<Real>& columns, const RadialProfile<Real>& profile) : columns_(columns) {
+    profile_.vectors = profile.vectors;
+    for (int j = 0; j < profile.vectors; ++j) {
+      profile_.phi[j] = Wide(profile.phi[j]);
+      profile_.delta_r[j] = Wide(profile.delta_r[j]);
+      profile_.slope[j] = Wide(profile.slope[j]);
+    }
+  }
+
+  /// Calls `visit(count, point_at, profile)` for each set of points that go into sums of their own.
+  template <class Visit>
+  void each_set(const Visit& visit) const {
+    constexpr std::size_t width = LaneTraits<Wide>::width, stride = 32 / sizeof(Real);
+    static_assert(width <= stride && PointColumns<Real>::kWidest % stride == 0);
+    for (std::size_t first = 0; first < stride; first += width) {
+      const auto point_at = [&](std::size_t k) {
+        const auto column = [&](const auto& numbers) { return load<Wide>(numbers.data() + first + k * stride); };
+        const auto vector = [&](const auto& v) { return Vector3<Wide>{column(v[0]), column(v[1]), column(v[2])}; };
+        return PointNumbers<Wide>{column(columns_.phi), column(columns_.rho), column(columns_.weight),
+                                  vector(columns_.p), vector(columns_.direction)};
+      };
+      visit(columns_.length / stride, point_at, profile_);
+    }
+  }
+
+ private:
+  const PointColumns<Real>& columns_;
+  RadialProfile<Wide> profile_;
+};
+
+/// What VisitInTurn gives.
 template <class Wide>
 PointMoments<LaneReal<Wide>> visit_side_by_side(const PointColumns<LaneReal<Wide>>& columns,
                                                 const RadialProfile<LaneReal<Wide>>& profile, CascadeClosing closing) {
   using Real = LaneReal<Wide>;
-  constexpr std::size_t width = LaneTraits<Wide>::width, stride = 32 / sizeof(Real);
-  static_assert(width <= stride && PointColumns<Real>::kWidest % stride == 0);
-  RadialProfile<Wide> spread;
-  spread.vectors = profile.vectors;
-  for (int j = 0; j < profile.vectors; ++j) {
-    spread.phi[j] = Wide(profile.phi[j]);
-    spread.delta_r[j] = Wide(profile.delta_r[j]);
-    spread.slope[j] = Wide(profile.slope[j]);
-  }
   PointMoments<Wide> all;
-  for (std::size_t first = 0; first < stride; first += width) {
-    const auto point_at = [&](std::size_t k) {
-      const auto column = [&](const auto& numbers) { return load<Wide>(numbers.data() + first + k * stride); };
-      const auto vector = [&](const auto& v) { return Vector3<Wide>{column(v[0]), column(v[1]), column(v[2])}; };
-      return PointNumbers<Wide>{column(columns.phi), column(columns.rho), column(columns.weight), vector(columns.p),
-                                vector(columns.direction)};
-    };
-    all.add(visit_points<Wide>(columns.length / stride, point_at, spread, closing));
-  }
+  PointsSideBySide<Wide>(columns, profile).each_set([&](std::size_t count, const auto& point_at, const auto& spread) {
+    all.add(visit_points<Wide>(count, point_at, spread, closing));
+  });
   const auto vector = [](const Vector3<Wide>& v) { return Vector3<Real>{sum(v.x), sum(v.y), sum(v.z)}; };
   PointMoments<Real> moments;
   moments.weight = sum(all.weight);
@@ -118,6 +141,36 @@ PointMoments<LaneReal<Wide>> visit_side_by_side(const PointColumns<LaneReal<Wide
   moments.t = vector(all.t);
   for (int j = 0; j < 3; ++j) moments.pt[j] = vector(all.pt[j]);
   return moments;
+}
+
+/// Squared distances of points from their targets, each by its weight and what closing has left of it.
+struct SquaredErrors {
+  double sum = 0, weight = 0;  ///< sphere radii squared
+
+  void add(const SquaredErrors& other) { sum += other.sum, weight += other.weight; }
+  /// Root of the mean, sphere radii; NaN when closing has dropped every point.
+  double rms() const { return weight > 0 ? std::sqrt(sum / weight) : std::numeric_limits<double>::quiet_NaN(); }
+};
+
+/// @param T  the moved frame of the points' joint, in axes in which no azimuth turns targets
+template <class Wide>
+SquaredErrors squared_errors(const PointColumns<LaneReal<Wide>>& columns, const RadialProfile<LaneReal<Wide>>& profile,
+                             CascadeClosing closing, const RigidTransform<LaneReal<Wide>>& T) {
+  const RigidTransform<Wide> frame = T.template cast<Wide>();
+  Wide all(0), weight(0);
+  PointsSideBySide<Wide>(columns, profile).each_set([&](std::size_t count, const auto& point_at, const auto& spread) {
+    Wide set(0), set_weight(0);
+    for (std::size_t k = 0; k < count; ++k) {
+      const PointNumbers<Wide> point = point_at(k);
+      const auto radial = spread.at(point.phi);
+      const Wide share = point.weight * open_share<Wide>(radial, closing);
+      const Vector3<Wide> error = frame * point.p - max(point.rho + radial.delta_r, Wide(0)) * point.direction;
+      set += share * dot(error, error);
+      set_weight += share;
+    }
+    all += set, weight += set_weight;
+  });
+  return {double(sum(all)), double(sum(weight))};
 }
 
 /// Which lanes' points are all whole with targets in front of the centre, and which lanes' have all vanished.

@@ -2,11 +2,7 @@
 // residual. Definitions of Cascade for plain numbers, one hand at a time.
 #pragma once
 
-#include <cmath>
-#include <limits>
-
 #include "uhas/runtime/cascade/cascade.hpp"
-#include "uhas/runtime/cascade/patch_moments.hpp"
 
 namespace uhas {
 
@@ -47,20 +43,22 @@ void Cascade<Num, Visit>::sum_points(const Model& model) noexcept {
 }
 
 template <class Num, class Visit>
-double Cascade<Num, Visit>::residual_rms(const Model& model, std::span<const Num> q) noexcept {
-  // all frames at the joint values that came out, closing included
+void Cascade<Num, Visit>::place_joints(const Model& model, std::span<const Num> q) noexcept {
   for (std::size_t i = 0; i < joints_.size(); ++i) joints_[i].set(model.joints[i].value(q[i] / model.joints[i].unit));
   for (const SolverPart& part : model.parts) move_frames(model, part.tree);
-  // how far each point is from its target
-  double sum = 0, weight = 0;
+}
+
+template <class Num, class Visit>
+SquaredErrors Cascade<Num, Visit>::squared_errors(const Model& model) const noexcept {
+  SquaredErrors errors;
   for (const SolverPoint<Real>& point : model.points) {
     const Target target = target_of(model, point);
     const Vector3<Real> error = joints_[point.joint].T_S_moved * point.p - target.t;
     const double w = double(point.weight) * double(target.share);
-    sum += w * double(dot(error, error));
-    weight += w;
+    errors.sum += w * double(dot(error, error));
+    errors.weight += w;
   }
-  return weight > 0 ? std::sqrt(sum / weight) : std::numeric_limits<double>::quiet_NaN();
+  return errors;
 }
 
 }  // namespace uhas

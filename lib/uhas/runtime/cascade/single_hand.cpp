@@ -153,7 +153,8 @@ template <class Real>
 void SingleHand<Real>::report(const ActionNumbers<Real>& action, std::span<const Real> q,
                               SolveReport& report) noexcept {
   model_->decoder.decode(action, cascade_.planes.data());
-  report.residual_rms = cascade_.residual_rms(*model_, q);
+  cascade_.place_joints(*model_, q);
+  report.residual_rms = squared_errors().rms();
 
   std::ranges::fill(report.at_limit, 0), std::ranges::fill(report.closed, 0);
   const auto set = [&](int joint, bool at_limit, bool closed) {
@@ -166,6 +167,19 @@ void SingleHand<Real>::report(const ActionNumbers<Real>& action, std::span<const
   for (int n : other_parts_)
     for (const ScopedJoint& s : model_->parts[n].tree)
       set(s.joint, cascade_.at_limit(s.joint), cascade_.closed(s.joint));
+}
+
+template <class Real>
+SquaredErrors SingleHand<Real>::squared_errors() const noexcept {
+  if (model_->options.field == FieldReading::field) return cascade_.squared_errors(*model_);
+  SquaredErrors errors;
+  for (const SolverPatch<Real>& patch : model_->patches) {
+    const PlaneDeformation<Real>& plane = cascade_.planes[patch.finger];
+    const SinCos<Real> azimuth = sincos(model_->azimuth_sign * plane.delta_theta);
+    errors.add(lanes_.squared_errors(patch.columns, plane, model_->options.closing,
+                                     from_turned_axes(cascade_.frame(patch.joint), azimuth)));
+  }
+  return errors;
 }
 
 template class SingleHand<float>;

@@ -45,6 +45,7 @@ class SingleHand {
   void solve_others(const ActionNumbers<Real>& action, std::span<Real> q) noexcept;
   bool decode_finger(const AffineFinger<Real>& finger, const ActionNumbers<Real>& action, int lane) noexcept;
   void visit_points(const Bundle& bundle, const ActionNumbers<Real>& action, int lane) noexcept;
+  SquaredErrors squared_errors() const noexcept;
   Real share_left_at(std::size_t index, const typename Bundle::Place& place) const noexcept;
 
   const SolverModel<Real>* model_;

@@ -45,6 +45,8 @@ struct FingerLanes {
                const FingerOutput<Real>& output);
   PointMoments<Real> (*visit)(const PointColumns<Real>& columns, const RadialProfile<Real>& profile,
                               CascadeClosing closing);
+  SquaredErrors (*squared_errors)(const PointColumns<Real>& columns, const RadialProfile<Real>& profile,
+                                  CascadeClosing closing, const RigidTransform<Real>& T);
 };
 
 template <class Real>

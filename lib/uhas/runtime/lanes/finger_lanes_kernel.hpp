@@ -38,7 +38,13 @@ struct FingerLanesOf {
     return visit_side_by_side<Num>(columns, profile, closing);
   }
 
-  static FingerLanes<Real> functions() { return {width, &walk, &visit}; }
+  [[gnu::flatten]] static SquaredErrors squared_errors(const PointColumns<Real>& columns,
+                                                       const RadialProfile<Real>& profile, CascadeClosing closing,
+                                                       const RigidTransform<Real>& T) {
+    return uhas::squared_errors<Num>(columns, profile, closing, T);
+  }
+
+  static FingerLanes<Real> functions() { return {width, &walk, &visit, &squared_errors}; }
 
  private:
   /// Puts sums that were found point by point in the place of affine ones; says where nothing is left.

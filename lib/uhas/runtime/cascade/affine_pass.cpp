@@ -49,7 +49,7 @@ class FingerCompiler {
       const auto solves = [&](int k) { return model.steps[k].joint == joint; };
       if (joint == lateral_joint)
         lateral_place_ = n;
-      else if (std::ranges::any_of(model.parts[part].steps, solves))
+      else if (std::any_of(model.parts[part].steps.begin(), model.parts[part].steps.end(), solves))
         (lateral_ >= 0 && lateral_place_ < 0 ? before_ : beyond_).push_back(n);
     }
   }
@@ -67,7 +67,7 @@ class FingerCompiler {
       if (point.finger == finger.finger) finger.lowest = std::max(finger.lowest, -point.rho);
     for (int place : places(before, beyond)) finger.joints.push_back(place < 0 ? -1 : tree_[place].joint);
     for (const ScopedJoint& s : tree_)
-      if (!std::ranges::count(finger.joints, s.joint))
+      if (std::count(finger.joints.begin(), finger.joints.end(), s.joint) == 0)
         finger.others.emplace_back(s.joint, model_->starts[s.joint].value.q);
     return finger;
   }
@@ -150,7 +150,8 @@ class FingerCompiler {
   AffineMoments own_moments(int joint, int vectors) const {
     AffineMoments own(1 + vectors);
     std::array<double, kMaxDrivingVectors> phi;
-    std::ranges::copy(model_->decoder.default_angles(vectors), phi.begin());
+    const std::span<const Real> angles = model_->decoder.default_angles(vectors);
+    std::copy(angles.begin(), angles.end(), phi.begin());
     const auto share = [&](double angle, int j) {
       return displacement_share(angle, std::span(phi).first(vectors), j, model_->options.convention.held_toward_pole);
     };
@@ -227,7 +228,8 @@ bool has_affine_form(const SolverModel<Real>& model, const SolverPart& part) {
   }
   const auto is_turn = [&](int k) { return model.steps[k].single && !model.joints[model.steps[k].joint].prismatic; };
   const auto turns = [&](int k) { return !model.joints[model.laterals[k].joint].prismatic; };
-  return std::ranges::all_of(part.steps, is_turn) && std::ranges::all_of(part.laterals, turns);
+  return std::all_of(part.steps.begin(), part.steps.end(), is_turn) &&
+         std::all_of(part.laterals.begin(), part.laterals.end(), turns);
 }
 
 /// Lane by lane into [numbers][width]; lanes past the last repeat it.
@@ -271,7 +273,8 @@ std::vector<AffineBundle<Real>> bundle_fingers(const SolverModel<Real>& model, i
   for (int n = 0; n < static_cast<int>(model.parts.size()); ++n)
     if (has_affine_form(model, model.parts[n])) fingers.emplace_back(model, n);
   // fingers of a kind walk together
-  std::ranges::stable_sort(fingers, {}, [](const auto& finger) { return std::pair(finger.before(), finger.beyond()); });
+  const auto kind = [](const FingerCompiler<Real>& finger) { return std::pair(finger.before(), finger.beyond()); };
+  std::stable_sort(fingers.begin(), fingers.end(), [&](const auto& a, const auto& b) { return kind(a) < kind(b); });
   std::vector<AffineBundle<Real>> bundles;
   for (std::span<const FingerCompiler<Real>> rest = fingers; !rest.empty();) {
     const std::size_t count = std::min<std::size_t>(width, rest.size());

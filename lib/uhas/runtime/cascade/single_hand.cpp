@@ -156,7 +156,8 @@ void SingleHand<Real>::report(const ActionNumbers<Real>& action, std::span<const
   cascade_.place_joints(*model_, q);
   report.residual_rms = squared_errors().rms();
 
-  std::ranges::fill(report.at_limit, 0), std::ranges::fill(report.closed, 0);
+  std::fill(report.at_limit.begin(), report.at_limit.end(), 0);
+  std::fill(report.closed.begin(), report.closed.end(), 0);
   const auto set = [&](int joint, bool at_limit, bool closed) {
     if (!report.at_limit.empty()) report.at_limit[joint] = at_limit;
     if (!report.closed.empty()) report.closed[joint] = closed;

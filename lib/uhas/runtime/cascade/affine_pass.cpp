@@ -75,16 +75,23 @@ class FingerCompiler {
   /// For a bundle of so many steps. The first fits of a finger that has fewer before its lateral joint, and the last of
   /// one that has fewer beyond, do nothing.
   std::vector<Real> constants(int before, int beyond) const {
-    const std::vector<AffineMoments> carried = carry(1);
     const std::vector<int> steps = places(before, beyond);
     NumberWriter<Real> out;
     int done = 0;  // joints of the chain that the walk has passed
     for (int s = 0; s < static_cast<int>(steps.size()); ++s) {
-      const bool lateral = s == before;
       out.transform(way(done, steps[s]));
       if (steps[s] >= 0) done = steps[s] + 1;
-      if (!lateral) write_fit(out, steps[s], carried, s < before);
+      if (s != before) write_fit(out, steps[s]);
     }
+    return out.numbers;
+  }
+
+  std::vector<Real> sum_constants(int before, int beyond) const {
+    const std::vector<AffineMoments> carried = carry(1);
+    const std::vector<int> steps = places(before, beyond);
+    NumberWriter<Real> out;
+    for (int s = 0; s < static_cast<int>(steps.size()); ++s)
+      if (s != before) write_sums(out, steps[s], carried, s < before);
     return out.numbers;
   }
 
@@ -178,8 +185,8 @@ class FingerCompiler {
     return carried;
   }
 
-  /// What a fit reads besides the rows of M; of no joint, zeros.
-  void write_fit(NumberWriter<Real>& out, int place, const std::vector<AffineMoments>& carried, bool before) const {
+  /// Of a joint's sums what no displacement changes; of no joint, zeros.
+  void write_sums(NumberWriter<Real>& out, int place, const std::vector<AffineMoments>& carried, bool before) const {
     const PointMoments<double> sums = place < 0 ? PointMoments<double>{} : carried[place].front();
     if (before) {
       const double factor = place < 0 ? 0 : decay_to_lateral(place);
@@ -194,7 +201,10 @@ class FingerCompiler {
       out.number(hold_of(sums.p.x, sums.p.y, sums.weight));
       out.number(sums.p.x), out.number(sums.p.y);
     }
+  }
 
+  /// What a fit needs besides its sums; of no joint, zeros.
+  void write_fit(NumberWriter<Real>& out, int place) const {
     const SolverJoint<Real> none;
     const SolverJoint<Real>& joint = place < 0 ? none : model_->joints[tree_[place].joint];
     const double start = place < 0 ? 0.0 : double(model_->starts[tree_[place].joint].value.q);
@@ -256,6 +266,8 @@ AffineBundle<Real> make_bundle(std::span<const FingerCompiler<Real>> fingers, in
   };
   for (const auto& finger : fingers) bundle.fingers.push_back(finger.finger(bundle.before, bundle.beyond));
   bundle.constants = of_each([&](const auto& finger) { return finger.constants(bundle.before, bundle.beyond); });
+  bundle.sum_constants =
+      of_each([&](const auto& finger) { return finger.sum_constants(bundle.before, bundle.beyond); });
   for (int vectors = 1; vectors <= kMaxDrivingVectors; ++vectors)
     bundle.affine[vectors - 1] =
         of_each([&](const auto& finger) { return finger.affine(bundle.before, bundle.beyond, vectors); });

@@ -37,11 +37,11 @@ struct AffineBundle {
   int before = 0, beyond = 0;               ///< steps that fit a joint, before and beyond the lateral turn
   std::vector<AffineFinger<Real>> fingers;  ///< [at most width]
 
-  /// Frames, starts, limits, leads and sums that no displacement changes, in the order in which a walk reads them:
-  /// [numbers][width].
-  std::vector<Real> constants;
-  /// [V - 1] sums that are affine in the displacements of V driving vectors at their default angles, in that order: each
-  /// number at rest, then a radius of each displacement more.
+  // numbers in the order in which they are read, [numbers][width]
+  std::vector<Real> constants;      ///< frames, leads, starts and limits
+  std::vector<Real> sum_constants;  ///< of the sums what no displacement changes
+  /// [V - 1] of the sums what is affine in the displacements of V driving vectors at their default angles: each number at
+  /// rest, then a radius of each displacement more.
   std::array<std::vector<Real>, kMaxDrivingVectors> affine;
 
   int steps() const noexcept { return before + 1 + beyond; }

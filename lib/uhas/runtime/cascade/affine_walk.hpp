@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <type_traits>
 
 #include "uhas/runtime/cascade/affine_pass.hpp"
 #include "uhas/runtime/cascade/moments.hpp"
@@ -15,6 +14,7 @@ namespace uhas {
 /// The deformation of a finger's plane, a finger or a hand a lane.
 template <class Num>
 struct WalkInput {
+  int vectors;                                  ///< V, the same in all lanes
   std::array<Num, kMaxDrivingVectors> delta_r;  ///< [V] radii
   std::array<Num, kLeadInputs> leads;           ///< `PlaneDeformation::lead`
   Num azimuth;                                  ///< rad about the z of S
@@ -45,23 +45,6 @@ class NumberReader {
   RigidTransform<Num> transform() {
     const Vector3<Num> x = vector(), y = vector(), z = vector();
     return {Rotation<Num>::from_columns(x, y, z), vector()};
-  }
-
-  /// A number that is affine in the displacements of V driving vectors.
-  template <int V>
-  Num affine(const WalkInput<Num>& in) {
-    Num sum = number();
-    for (int j = 0; j < V; ++j) {
-      const Num linear = number();
-      sum += in.delta_r[j] * linear;
-    }
-    return sum;
-  }
-  template <int V>
-  Vector3<Num> affine_vector(const WalkInput<Num>& in) {
-    if constexpr (V == 0) return {};
-    const Num x = affine<V>(in), y = affine<V>(in);
-    return {x, y, affine<V>(in)};
   }
 
  private:
@@ -100,43 +83,90 @@ struct TurnSums {
   Vector3<Num> row_x, row_y;
 };
 
+/// Calls `use` on each, in the order above.
+template <class Sums, class Use>
+void each_number(Sums& sums, Use use) {
+  use(sums.hold), use(sums.p_x), use(sums.p_y);
+  use(sums.row_x.x), use(sums.row_x.y), use(sums.row_x.z);
+  use(sums.row_y.x), use(sums.row_y.y), use(sums.row_y.z);
+}
+
 template <class Num>
 TurnSums<Num> turn_sums(const PointMoments<Num>& moments) {
   const Vector3<Num> p = moments.p, x = moments.pt[0], y = moments.pt[1], z = moments.pt[2];
   return {hold_of(p.x, p.y, moments.weight), p.x, p.y, {x.x, y.x, z.x}, {x.y, y.y, z.y}};
 }
 
-/// The sums of a joint that carries points on its own side of the lateral turn only.
+/// The sums of whole fingers, constants and what is affine in the displacements, step by step in their order.
 template <int V, class Num, bool Spread>
-TurnSums<Num> read_sums(const WalkInput<Num>& in, NumberReader<Num, Spread>& constants,
-                        NumberReader<Num, Spread>& affine) {
-  TurnSums<Num> sums;
-  sums.hold = constants.number();
-  sums.p_x = constants.number(), sums.p_y = constants.number();
-  sums.row_x = affine.template affine_vector<V>(in), sums.row_y = affine.template affine_vector<V>(in);
-  return sums;
-}
+class AffineSums {
+ public:
+  AffineSums(const AffineBundle<LaneReal<Num>>& bundle, const WalkInput<Num>& in)
+      : in_(in),
+        lateral_(sincos(in.lateral)),
+        before_(bundle.before),
+        constants_(bundle.sum_constants.data()),
+        affine_(bundle.affine[V - 1].data()) {}
 
-/// The sums of a joint before the lateral one: the points beyond are seen through its turn.
-template <int V, class Num, bool Spread>
-TurnSums<Num> read_sums_before_lateral(const WalkInput<Num>& in, const SinCos<Num>& lateral,
-                                       NumberReader<Num, Spread>& constants, NumberReader<Num, Spread>& affine) {
-  TurnSums<Num> sums = read_sums<V>(in, constants, affine);
-  const RigidTransform<Num> X = turned(constants.transform(), lateral);
-  const std::array<Num, 9>& m = X.rotation.m;
-  const Vector3<Num> X_x{m[0], m[1], m[2]}, X_y{m[3], m[4], m[5]};
-  // P and M go through X, their weights W and T with them
-  const Num weight = sums.hold, beyond = constants.number();
-  const Vector3<Num> p = constants.vector();
-  sums.p_x += dot(X_x, p) + beyond * X.translation.x;
-  sums.p_y += dot(X_y, p) + beyond * X.translation.y;
-  sums.hold = hold_of(sums.p_x, sums.p_y, weight);
-  const Vector3<Num> t = affine.template affine_vector<V>(in);
-  const Vector3<Num> pt_x = affine.template affine_vector<V>(in), pt_y = affine.template affine_vector<V>(in),
-                     pt_z = affine.template affine_vector<V>(in);
-  sums.row_x += Vector3<Num>{dot(X_x, pt_x), dot(X_x, pt_y), dot(X_x, pt_z)} + X.translation.x * t;
-  sums.row_y += Vector3<Num>{dot(X_y, pt_x), dot(X_y, pt_y), dot(X_y, pt_z)} + X.translation.y * t;
-  return sums;
+  TurnSums<Num> operator()(int step) { return step < before_ ? before_lateral() : on_one_side(); }
+
+ private:
+  /// Of a joint all of whose points lie on its own side of the lateral turn.
+  TurnSums<Num> on_one_side() {
+    TurnSums<Num> sums;
+    sums.hold = constants_.number();
+    sums.p_x = constants_.number(), sums.p_y = constants_.number();
+    sums.row_x = affine_vector(), sums.row_y = affine_vector();
+    return sums;
+  }
+
+  /// Of a joint before the lateral one: the points beyond are seen through its turn.
+  TurnSums<Num> before_lateral() {
+    TurnSums<Num> sums = on_one_side();
+    const RigidTransform<Num> X = turned(constants_.transform(), lateral_);
+    const std::array<Num, 9>& m = X.rotation.m;
+    const Vector3<Num> X_x{m[0], m[1], m[2]}, X_y{m[3], m[4], m[5]};
+    // P and M go through X, their weights W and T with them
+    const Num weight = sums.hold, beyond = constants_.number();
+    const Vector3<Num> p = constants_.vector();
+    sums.p_x += dot(X_x, p) + beyond * X.translation.x;
+    sums.p_y += dot(X_y, p) + beyond * X.translation.y;
+    sums.hold = hold_of(sums.p_x, sums.p_y, weight);
+    const Vector3<Num> t = affine_vector(), x = affine_vector(), y = affine_vector(), z = affine_vector();
+    sums.row_x += Vector3<Num>{dot(X_x, x), dot(X_x, y), dot(X_x, z)} + X.translation.x * t;
+    sums.row_y += Vector3<Num>{dot(X_y, x), dot(X_y, y), dot(X_y, z)} + X.translation.y * t;
+    return sums;
+  }
+
+  Num affine() {
+    Num sum = affine_.number();
+    for (int j = 0; j < V; ++j) {
+      const Num linear = affine_.number();
+      sum += in_.delta_r[j] * linear;
+    }
+    return sum;
+  }
+  Vector3<Num> affine_vector() {
+    const Num x = affine(), y = affine();
+    return {x, y, affine()};
+  }
+
+  const WalkInput<Num>& in_;
+  SinCos<Num> lateral_;
+  int before_;
+  NumberReader<Num, Spread> constants_, affine_;
+};
+
+/// Calls `use` with the AffineSums of the input's driving vectors: their number is a constant there.
+template <bool Spread, class Num, class Use>
+void with_affine_sums(const AffineBundle<LaneReal<Num>>& bundle, const WalkInput<Num>& in, const Use& use) {
+  static_assert(kMaxDrivingVectors == 4);
+  switch (in.vectors) {
+    case 1: return use(AffineSums<1, Num, Spread>(bundle, in));
+    case 2: return use(AffineSums<2, Num, Spread>(bundle, in));
+    case 3: return use(AffineSums<3, Num, Spread>(bundle, in));
+    default: return use(AffineSums<4, Num, Spread>(bundle, in));
+  }
 }
 
 /// A fitted joint's value, and where it was held at a limit.
@@ -177,43 +207,28 @@ WalkFit<Num> fit_turn(const TurnSums<Num>& sums, const std::array<Num, kLeadInpu
   return {select(below, lower, select(above, upper, q)), below | above};
 }
 
-/// @tparam V       driving vectors; 0: no affine sum is read, `replace` has them all
-/// @param replace  replace(step, sums): puts other sums in the place of the affine ones where these do not hold, and returns
-///                 the lanes in which no weight is left at all
-/// @param place    place(step, q, at_limit) takes the outcome
-template <int V, bool Spread, class Num, class Replace, class Place>
-void walk(const AffineBundle<LaneReal<Num>>& bundle, const WalkInput<Num>& in, const Replace& replace,
-          const Place& place) noexcept {
-  NumberReader<Num, Spread> constants(bundle.constants.data()),
-      affine(V == 0 ? nullptr : bundle.affine[V == 0 ? 0 : V - 1].data());
-  const auto fit = [&](int step, TurnSums<Num> sums, RigidTransform<Num>& T) {
-    const MaskOf<Num> closed = replace(step, sums);
-    const WalkFit<Num> fitted = fit_turn(sums, in.leads, closed, constants, T);
+/// @param sums_of    sums_of(step): TurnSums, asked for each fitted joint in order
+/// @param closed_at  closed_at(step): where closing has left no weight
+/// @param place      place(step, q, at_limit) takes the outcome
+template <bool Spread, class Num, class SumsOf, class ClosedAt, class Place>
+void walk(const AffineBundle<LaneReal<Num>>& bundle, const WalkInput<Num>& in, SumsOf sums_of,
+          const ClosedAt& closed_at, const Place& place) noexcept {
+  NumberReader<Num, Spread> constants(bundle.constants.data());
+  const auto fit = [&](int step, RigidTransform<Num>& T) {
+    const WalkFit<Num> fitted = fit_turn(sums_of(step), in.leads, closed_at(step), constants, T);
     place(step, fitted.q, fitted.at_limit);
   };
-  const SinCos<Num> lateral = sincos(in.lateral);
 
   RigidTransform<Num> T = from_turned_axes(constants.transform(), sincos(in.azimuth));
   for (int s = 0; s < bundle.before; ++s) {
-    fit(s, read_sums_before_lateral<V>(in, lateral, constants, affine), T);
+    fit(s, T);
     T = T * constants.transform();
   }
-  T = turned(T, lateral);
+  T = turned(T, sincos(in.lateral));
   place(bundle.before, in.lateral, MaskOf<Num>(false));
   for (int s = bundle.before + 1; s < bundle.steps(); ++s) {
     T = T * constants.transform();
-    fit(s, read_sums<V>(in, constants, affine), T);
-  }
-}
-
-/// Calls `walk_for` with V as a constant, std::integral_constant<int, V>: sums are read without loops.
-template <class WalkFor>
-void with_vectors(int vectors, const WalkFor& walk_for) {
-  switch (vectors) {
-    case 1: return walk_for(std::integral_constant<int, 1>());
-    case 2: return walk_for(std::integral_constant<int, 2>());
-    case 3: return walk_for(std::integral_constant<int, 3>());
-    default: static_assert(kMaxDrivingVectors == 4); return walk_for(std::integral_constant<int, 4>());
+    fit(s, T);
   }
 }
 

@@ -79,23 +79,29 @@ template <class Real>
 void SingleHand<Real>::solve_bundle(std::size_t index, const ActionNumbers<Real>& action, std::span<Real> q) noexcept {
   const Bundle& bundle = (*bundles_)[index];
   const AffineBundle<Real>& constants = bundle.constants;
-  FadedSums<Real> faded{0, sums_.data() + kTurnSums * bundle.first, open_share_.data() + bundle.first};
+  const FingerMemory<Real> memory{sums_.data() + kTurnSums * bundle.first, open_share_.data() + bundle.first,
+                                  q_.data() + bundle.first, at_limit_.data() + bundle.first};
   input_.vectors = action.vectors;
+  unsigned faded = 0;  // lanes
   for (int l = 0; l < static_cast<int>(constants.fingers.size()); ++l) {
-    if (decode_finger(constants.fingers[l], action, l)) continue;
-    faded.lanes |= 1u << l;
-    visit_points(bundle, action, l);
+    if (!decode_finger(constants.fingers[l], action, l)) faded |= 1u << l;
   }
-  faded_[index] = faded.lanes;
-  Real* const walked = q_.data() + bundle.first;
-  lanes_.walk(constants, input_, faded, {walked, at_limit_.data() + bundle.first});
+  if (faded == 0) {
+    lanes_.walk_whole(constants, input_, memory);
+  } else {
+    lanes_.affine_sums(constants, input_, memory);
+    for (int l = 0; l < static_cast<int>(constants.fingers.size()); ++l)
+      if ((faded >> l & 1) != 0) visit_points(bundle, action, l);
+    lanes_.walk_sums(constants, input_, memory);
+  }
+  faded_[index] = faded;
 
   // turns have the same unit everywhere; a joint that has lost points goes on to its closed end
-  if (faded.lanes == 0)
-    for (const auto& place : bundle.places) q[place.joint] = walked[place.number];
+  if (faded == 0)
+    for (const auto& place : bundle.places) q[place.joint] = memory.q[place.number];
   else
     for (const auto& place : bundle.places)
-      q[place.joint] = close_by_share(model_->joints[place.joint], walked[place.number], share_left_at(index, place));
+      q[place.joint] = close_by_share(model_->joints[place.joint], memory.q[place.number], share_left_at(index, place));
   for (const AffineFinger<Real>& finger : constants.fingers)
     for (const auto& [joint, value] : finger.others) q[joint] = model_->joints[joint].in_profile_units(value);
 }
@@ -140,11 +146,11 @@ void SingleHand<Real>::visit_points(const Bundle& bundle, const ActionNumbers<Re
   for (int s = 0; s < bundle.constants.steps(); ++s) {
     const PointMoments<Real> nothing;
     const PointMoments<Real>& m = finger.joints[s] < 0 ? nothing : cascade_.carried(finger.joints[s]);
-    const TurnSums<Real> found = turn_sums(m);
-    const Real sums[kTurnSums] = {found.hold,    found.p_x,     found.p_y,     found.row_x.x, found.row_x.y,
-                                  found.row_x.z, found.row_y.x, found.row_y.y, found.row_y.z};
-    for (int n = 0; n < kTurnSums; ++n)
-      sums_[kTurnSums * bundle.first + (s * kTurnSums + n) * lanes_.width + lane] = sums[n];
+    const TurnSums<Real> sums = turn_sums(m);
+    each_number(sums, [&, next = &sums_[kTurnSums * (bundle.first + s * lanes_.width) + lane]](Real number) mutable {
+      *next = number;
+      next += lanes_.width;
+    });
     open_share_[bundle.first + s * lanes_.width + lane] = share_left(m.weight, m.full_weight, model_->options.closing);
   }
 }

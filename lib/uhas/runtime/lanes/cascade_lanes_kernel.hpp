@@ -101,6 +101,7 @@ class CascadeLanesOf {
 
   WalkInput<Num> input_of(const Finger& finger, const Rows& hands) const {
     WalkInput<Num> in;
+    in.vectors = vectors_;
     in.delta_r = hands.delta_r;
     in.azimuth = Num(model_.azimuth_sign) * hands.delta_theta;
     in.lateral = finger.lateral < 0 ? Num(0) : look_up_lateral(model_.laterals[finger.lateral], hands.delta_theta);
@@ -115,9 +116,9 @@ class CascadeLanesOf {
       for (int j = 0; j < vectors_; ++j) there += Num(model_.decoder.lead_share(vectors_, u, j)) * in.delta_r[j];
       in.leads[u] = lead_input(there);
     }
-    with_vectors(vectors_, [&](auto vectors) {
-      walk<decltype(vectors)::value, true>(
-          fingers_[n], in, [](int, TurnSums<Num>&) { return MaskOf<Num>(false); },
+    with_affine_sums<true>(fingers_[n], in, [&](auto sums) {
+      walk<true>(
+          fingers_[n], in, sums, [](int) { return MaskOf<Num>(false); },
           [&](int step, const Num& q, const MaskOf<Num>&) { store_joint(hands, finger.joints[step], q); });
     });
     store_others(finger, hands);
@@ -140,12 +141,14 @@ class CascadeLanesOf {
     // sums from the points, and at the end each joint goes on to its closed end by what closing has taken
     cascade_.carry(model_, model_.parts[finger.part]);
     Num open_share;
-    walk<0, true>(
-        fingers_[n], in,
-        [&](int step, TurnSums<Num>& sums) {
-          const PointMoments<Num> nothing;
-          const PointMoments<Num>& m = finger.joints[step] < 0 ? nothing : cascade_.carried(finger.joints[step]);
-          sums = turn_sums(m);
+    const auto carried = [&](int step) {
+      const PointMoments<Num> nothing;
+      return finger.joints[step] < 0 ? nothing : cascade_.carried(finger.joints[step]);
+    };
+    walk<true>(
+        fingers_[n], in, [&](int step) { return turn_sums(carried(step)); },
+        [&](int step) {
+          const PointMoments<Num> m = carried(step);
           open_share = share_left(m.weight, m.full_weight, model_.options.closing);
           return open_share <= Num(0);
         },

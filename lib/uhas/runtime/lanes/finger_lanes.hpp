@@ -20,29 +20,27 @@ struct FingerInput {
   Real azimuth[kMostFingerLanes], lateral[kMostFingerLanes];
 };
 
-/// Numbers of a TurnSums.
+/// Numbers of a TurnSums: hold, p_x, p_y, row_x, row_y.
 inline constexpr int kTurnSums = 9;
 
-/// Fingers whose sums are not affine: hold, p_x, p_y, row_x, row_y, and what closing has left.
+/// The memory of a walk, a number a lane.
 template <class Real>
-struct FadedSums {
-  unsigned lanes = 0;  ///< bit l: lane l
-  Real* sums;          ///< [step][kTurnSums][width]
-  Real* open_share;    ///< [step][width]
-};
-
-/// The joints of a bundle.
-template <class Real>
-struct FingerOutput {
-  Real* q;         ///< [step][width] solver units, before anything closes
-  Real* at_limit;  ///< [step][width] 1 where the fit was held at a limit, else 0
+struct FingerMemory {
+  Real* sums;        ///< [step][kTurnSums][width]
+  Real* open_share;  ///< [step][width] what closing has left of the weight that a joint carries
+  Real* q;           ///< [step][width] solver units, before anything closes
+  Real* at_limit;    ///< [step][width] 1 where the fit was held at a limit, else 0
 };
 
 template <class Real>
 struct FingerLanes {
+  using Walk = void (*)(const AffineBundle<Real>& bundle, const FingerInput<Real>& input,
+                        const FingerMemory<Real>& memory);
+
   int width;
-  void (*walk)(const AffineBundle<Real>& bundle, const FingerInput<Real>& input, const FadedSums<Real>& faded,
-               const FingerOutput<Real>& output);
+  Walk walk_whole;   ///< all fingers are whole: sets q and at_limit
+  Walk affine_sums;  ///< sets the sums and open shares that fingers have if they are whole
+  Walk walk_sums;    ///< from these, or others in their place, to q and at_limit
   PointMoments<Real> (*visit)(const PointColumns<Real>& columns, const RadialProfile<Real>& profile,
                               CascadeClosing closing);
   SquaredErrors (*squared_errors)(const PointColumns<Real>& columns, const RadialProfile<Real>& profile,

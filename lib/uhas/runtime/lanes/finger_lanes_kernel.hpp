@@ -12,25 +12,46 @@ struct FingerLanesOf {
   static constexpr int width = LaneTraits<Num>::width;
   static_assert(width <= kMostFingerLanes);
 
-  [[gnu::flatten]] static void walk(const AffineBundle<Real>& bundle, const FingerInput<Real>& input,
-                                    const FadedSums<Real>& faded, const FingerOutput<Real>& output) {
-    WalkInput<Num> in;
-    for (int j = 0; j < input.vectors; ++j) in.delta_r[j] = load<Num>(input.delta_r[j]);
-    for (int u = 0; u < kLeadInputs; ++u) in.leads[u] = load<Num>(input.leads[u]);
-    in.azimuth = load<Num>(input.azimuth), in.lateral = load<Num>(input.lateral);
-
-    const auto place = [&](int step, const Num& q, const MaskOf<Num>& at_limit) {
-      store(q, output.q + step * width);
-      store(select(at_limit, Num(1), Num(0)), output.at_limit + step * width);
-    };
-    with_vectors(input.vectors, [&](auto vectors) {
-      constexpr int V = decltype(vectors)::value;
-      if (faded.lanes == 0)
-        uhas::walk<V, false>(
-            bundle, in, [](int, TurnSums<Num>&) { return MaskOf<Num>(false); }, place);
-      else
-        uhas::walk<V, false>(bundle, in, FoundSums{lanes_of(faded.lanes), faded}, place);
+  [[gnu::flatten]] static void walk_whole(const AffineBundle<Real>& bundle, const FingerInput<Real>& input,
+                                          const FingerMemory<Real>& memory) {
+    const WalkInput<Num> in = input_of(input);
+    with_affine_sums<false>(bundle, in, [&](auto sums) {
+      walk<false>(
+          bundle, in, sums, [](int) { return MaskOf<Num>(false); },
+          [&](int step, const Num& q, const MaskOf<Num>& at_limit) { place(memory, step, q, at_limit); });
     });
+  }
+
+  [[gnu::flatten]] static void affine_sums(const AffineBundle<Real>& bundle, const FingerInput<Real>& input,
+                                           const FingerMemory<Real>& memory) {
+    const WalkInput<Num> in = input_of(input);
+    with_affine_sums<false>(bundle, in, [&](auto sums_of) {
+      for (int step = 0; step < bundle.steps(); ++step) {
+        store(Num(1), memory.open_share + step * width);
+        if (step == bundle.before) continue;
+        TurnSums<Num> sums = sums_of(step);
+        each_number(sums, [next = memory.sums + step * kTurnSums * width](const Num& number) mutable {
+          store(number, next);
+          next += width;
+        });
+      }
+    });
+  }
+
+  [[gnu::flatten]] static void walk_sums(const AffineBundle<Real>& bundle, const FingerInput<Real>& input,
+                                         const FingerMemory<Real>& memory) {
+    const auto sums_of = [&](int step) {
+      TurnSums<Num> sums;
+      each_number(sums, [next = memory.sums + step * kTurnSums * width](Num& number) mutable {
+        number = load<Num>(next);
+        next += width;
+      });
+      return sums;
+    };
+    walk<false>(
+        bundle, input_of(input), sums_of,
+        [&](int step) { return load<Num>(memory.open_share + step * width) <= Num(0); },
+        [&](int step, const Num& q, const MaskOf<Num>& at_limit) { place(memory, step, q, at_limit); });
   }
 
   [[gnu::flatten]] static PointMoments<Real> visit(const PointColumns<Real>& columns,
@@ -44,31 +65,23 @@ struct FingerLanesOf {
     return uhas::squared_errors<Num>(columns, profile, closing, T);
   }
 
-  static FingerLanes<Real> functions() { return {width, &walk, &visit, &squared_errors}; }
+  static FingerLanes<Real> functions() {
+    return {width, &walk_whole, &affine_sums, &walk_sums, &visit, &squared_errors};
+  }
 
  private:
-  /// Puts sums that were found point by point in the place of affine ones; says where nothing is left.
-  struct FoundSums {
-    MaskOf<Num> lanes;
-    const FadedSums<Real>& found;
+  static void place(const FingerMemory<Real>& memory, int step, const Num& q, const MaskOf<Num>& at_limit) {
+    store(q, memory.q + step * width);
+    store(select(at_limit, Num(1), Num(0)), memory.at_limit + step * width);
+  }
 
-    MaskOf<Num> operator()(int step, TurnSums<Num>& sums) const {
-      const Real* next = found.sums + step * kTurnSums * width;
-      const auto replace = [&](Num& number) {
-        number = select(lanes, load<Num>(next), number);
-        next += width;
-      };
-      replace(sums.hold), replace(sums.p_x), replace(sums.p_y);
-      replace(sums.row_x.x), replace(sums.row_x.y), replace(sums.row_x.z);
-      replace(sums.row_y.x), replace(sums.row_y.y), replace(sums.row_y.z);
-      return lanes & (load<Num>(found.open_share + step * width) <= Num(0));
-    }
-  };
-
-  static MaskOf<Num> lanes_of(unsigned bits) {
-    Num marks;
-    for (int l = 0; l < width; ++l) set_lane(marks, l, Real(bits >> l & 1));
-    return marks != Num(0);
+  static WalkInput<Num> input_of(const FingerInput<Real>& input) {
+    WalkInput<Num> in;
+    in.vectors = input.vectors;
+    for (int j = 0; j < kMaxDrivingVectors; ++j) in.delta_r[j] = load<Num>(input.delta_r[j]);
+    for (int u = 0; u < kLeadInputs; ++u) in.leads[u] = load<Num>(input.leads[u]);
+    in.azimuth = load<Num>(input.azimuth), in.lateral = load<Num>(input.lateral);
+    return in;
   }
 };
 

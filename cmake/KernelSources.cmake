@@ -4,6 +4,10 @@ check_cxx_compiler_flag("-mavx2 -mfma" UHAS_COMPILER_HAS_AVX2)
 if(UHAS_COMPILER_HAS_AVX2 AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
   set(UHAS_HAS_AVX2_SOURCES ON)
 endif()
+check_cxx_compiler_flag("-mavx512f -mavx512vl -mavx512dq" UHAS_COMPILER_HAS_AVX512)
+if(UHAS_HAS_AVX2_SOURCES AND UHAS_COMPILER_HAS_AVX512)
+  set(UHAS_HAS_AVX512_SOURCES ON)
+endif()
 
 # Always optimised, whatever the build type: a helper that is not inlined in an AVX2 source would be a weak symbol with wide
 # instructions in it, which the linker might give to any caller. GCC's joining of neighbouring scalars to vectors doubles the
@@ -22,14 +26,23 @@ function(uhas_kernel_source target file)
 endfunction()
 
 # uhas_kernel_sources(<target> <name>): adds <name>_baseline.cpp and, where the compiler has AVX2, <name>_avx2.cpp, which alone
-# is compiled for it. With NO_FMA it rounds as the other does, and lanes that do the same give the same bits.
+# is compiled for it.
 function(uhas_kernel_sources target name)
   uhas_kernel_source(${target} ${name}_baseline.cpp -fno-exceptions)
   if(UHAS_HAS_AVX2_SOURCES)
-    set(wide -mavx2 -mfma)
-    if(NO_FMA IN_LIST ARGN)
-      set(wide -mavx2)
-    endif()
-    uhas_kernel_source(${target} ${name}_avx2.cpp -fno-exceptions ${wide})
+    uhas_kernel_source(${target} ${name}_avx2.cpp -fno-exceptions -mavx2 -mfma)
+  endif()
+endfunction()
+
+# uhas_same_bits_sources(<target> <name>): the same, and <name>_avx512.cpp where the compiler has AVX-512; none fuses a
+# multiplication with an addition, so that lanes that do the same give the same bits.
+function(uhas_same_bits_sources target name)
+  uhas_kernel_source(${target} ${name}_baseline.cpp -fno-exceptions -ffp-contract=off)
+  if(UHAS_HAS_AVX2_SOURCES)
+    uhas_kernel_source(${target} ${name}_avx2.cpp -fno-exceptions -ffp-contract=off -mavx2)
+  endif()
+  if(UHAS_HAS_AVX512_SOURCES)
+    uhas_kernel_source(${target} ${name}_avx512.cpp -fno-exceptions -ffp-contract=off
+      -mavx2 -mavx512f -mavx512vl -mavx512dq)
   endif()
 endfunction()

@@ -12,10 +12,20 @@
 namespace uhas {
 namespace {
 
+/// As wide as `fingers` ask for. All give the same bits: which it is needs no name of its own, and the widest set of a
+/// batch bounds it.
 template <class Real>
-FingerLanes<Real> widest_lanes() {
+FingerLanes<Real> lanes_for(std::size_t fingers) {
 #ifdef UHAS_HAS_AVX2_SOURCES
-  if (widest_instruction_set() == InstructionSet::avx2) return finger_lanes_avx2<Real>();
+  if (widest_instruction_set() == InstructionSet::avx2) {
+#ifdef UHAS_HAS_AVX512_SOURCES
+    const bool is_wide_enough = fingers <= std::size_t(finger_lanes_avx2<Real>().width);
+    if (!is_wide_enough && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+        __builtin_cpu_supports("avx512dq"))
+      return finger_lanes_avx512<Real>();
+#endif
+    return finger_lanes_avx2<Real>();
+  }
 #endif
   return finger_lanes_baseline<Real>();
 }
@@ -25,7 +35,7 @@ FingerLanes<Real> widest_lanes() {
 template <class Real>
 SingleHand<Real>::SingleHand(const SolverModel<Real>& model)
     : model_(&model),
-      lanes_(widest_lanes<Real>()),
+      lanes_(lanes_for<Real>(model.tips.size())),
       bundles_(std::make_shared<const std::vector<Bundle>>(make_bundles(model, lanes_.width))),
       cascade_(model, lanes_.visit),
       faded_(bundles_->size()) {

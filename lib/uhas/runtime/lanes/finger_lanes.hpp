@@ -51,5 +51,7 @@ template <class Real>
 FingerLanes<Real> finger_lanes_baseline();
 template <class Real>
 FingerLanes<Real> finger_lanes_avx2();  ///< call it only where AVX2 is
+template <class Real>
+FingerLanes<Real> finger_lanes_avx512();  ///< call it only where AVX2 and AVX-512 F, VL and DQ are
 
 }  // namespace uhas

@@ -9,11 +9,11 @@ using Doubles = Lanes<double, 2, Here>;
 
 template <>
 FingerLanes<float> finger_lanes_baseline() {
-  return FingerLanesOf<Floats>::functions();
+  return FingerLanesOf<Floats, Floats>::functions();
 }
 template <>
 FingerLanes<double> finger_lanes_baseline() {
-  return FingerLanesOf<Doubles>::functions();
+  return FingerLanesOf<Doubles, Doubles>::functions();
 }
 
 }  // namespace uhas

@@ -6,7 +6,9 @@
 
 namespace uhas {
 
-template <class Num>
+/// @tparam Num     a finger a lane
+/// @tparam Points  points of a patch side by side
+template <class Num, class Points>
 struct FingerLanesOf {
   using Real = LaneReal<Num>;
   static constexpr int width = LaneTraits<Num>::width;
@@ -56,13 +58,13 @@ struct FingerLanesOf {
 
   [[gnu::flatten]] static PointMoments<Real> visit(const PointColumns<Real>& columns,
                                                    const RadialProfile<Real>& profile, CascadeClosing closing) {
-    return visit_side_by_side<Num>(columns, profile, closing);
+    return visit_side_by_side<Points>(columns, profile, closing);
   }
 
   [[gnu::flatten]] static SquaredErrors squared_errors(const PointColumns<Real>& columns,
                                                        const RadialProfile<Real>& profile, CascadeClosing closing,
                                                        const RigidTransform<Real>& T) {
-    return uhas::squared_errors<Num>(columns, profile, closing, T);
+    return uhas::squared_errors<Points>(columns, profile, closing, T);
   }
 
   static FingerLanes<Real> functions() {

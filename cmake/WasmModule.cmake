@@ -3,7 +3,7 @@
 find_program(UHAS_WASM_CXX NAMES clang++-14 clang++ DOC "Clang that compiles for WebAssembly")
 
 # Exceptions are thrown, not caught: the module says what a throw does. The stack lies first, so that its overflow is a trap.
-set(UHAS_WASM_FLAGS --target=wasm32-wasi -std=c++20 -O2 -DNDEBUG -Xclang -fignore-exceptions)
+set(UHAS_WASM_FLAGS --target=wasm32-wasi -std=c++20 -O2 -msimd128 -DNDEBUG -Xclang -fignore-exceptions)
 set(UHAS_WASM_LINK_FLAGS --target=wasm32-wasi -mexec-model=reactor
   -Wl,--strip-all -Wl,--stack-first -Wl,-z,stack-size=262144)
 

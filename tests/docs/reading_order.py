@@ -2,7 +2,7 @@
 """lib/uhas/runtime/README.md, against the room that it leads through.
 
 - the main path has at most 12 files and 1,800 lines, by the command that the page itself gives;
-- every source of the room is linked from the page, or is one of two compilations of a kernel that is.
+- every source of the room is linked from the page, or is one of the compilations of a kernel that is.
 """
 
 import pathlib
@@ -32,7 +32,7 @@ def check_places():
     linked = {(ROOM / target).resolve() for target in re.findall(r"\]\(([^)#\s]+)\)", PAGE)}
     yield from (f"links to {path}, which is not there" for path in sorted(linked) if not path.exists())
     for source in sorted(path for ending in ("*.hpp", "*.cpp") for path in ROOM.rglob(ending)):
-        kernel = source.with_name(re.sub(r"_(baseline|avx2)\.cpp$", ".hpp", source.name))
+        kernel = source.with_name(re.sub(r"_(baseline|avx2|avx512)\.cpp$", ".hpp", source.name))
         if not {source, kernel} & linked:
             yield f"does not place {source.relative_to(ROOM)}"
 

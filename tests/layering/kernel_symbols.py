@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Checks that no code compiled for AVX2 can be linked into callers that run without it.
+"""Checks that no code compiled for AVX2 or AVX-512 can be linked into callers that run without it.
 
-    kernel_symbols.py NM OBJECT...   exit 1 when an object whose name ends in _avx2 defines a weak symbol, which the linker may
-                                     give to any caller, or a global one without avx2 in its name
+    kernel_symbols.py NM OBJECT...   exit 1 when an object whose name ends in _avx2 or _avx512 defines a weak symbol, which the
+                                     linker may give to any caller, or a global one without avx in its name
     kernel_symbols.py --self-test    exit 1 when such a symbol goes unnoticed
 """
 
@@ -18,11 +18,11 @@ SHARED = re.compile(r"^[0-9a-f]+ ([TDBRVWu]) (.+)$")
 
 
 def leaks(listing):
-    """The symbols in the output of nm that other objects may get without asking for AVX2."""
+    """The symbols in the output of nm that other objects may get without asking for its instructions."""
     found = []
     for line in listing.splitlines():
         match = SHARED.match(line)
-        if match and (match[1] in "VWu" or "avx2" not in match[2]):
+        if match and (match[1] in "VWu" or "avx" not in match[2]):
             found.append(match[2])
     return found
 
@@ -44,7 +44,7 @@ def main():
     if len(sys.argv) < 3:
         print(__doc__, file=sys.stderr)
         return 2
-    objects = [path for path in sys.argv[2:] if re.search(r"_avx2\.", pathlib.Path(path).name)]
+    objects = [path for path in sys.argv[2:] if re.search(r"_avx(2|512)\.", pathlib.Path(path).name)]
     found = []
     for path in objects:
         listing = subprocess.run([sys.argv[1], path], check=True, capture_output=True, text=True).stdout

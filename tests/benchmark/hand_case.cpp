@@ -18,10 +18,12 @@ namespace {
 constexpr double kAnyTheta = 1.0;  // rad; beyond the bounds of most fingers, which clamp it
 constexpr std::size_t kStepsBetweenDraws = 25;
 
-std::vector<double> independent_draws(std::mt19937_64& random, std::size_t count, double r) {
+/// d r uniform about `middle`, `r` to either side.
+std::vector<double> independent_draws(std::mt19937_64& random, std::size_t count, double r, double middle = 0) {
   std::vector<double> actions;
   for (std::size_t n = 0; n < count; ++n) {
-    const std::vector<double> action = test::random_action(random, kAnyTheta, r);
+    std::vector<double> action = test::random_action(random, kAnyTheta, r);
+    for (std::size_t i = kSlotCount; i < action.size(); ++i) action[i] += middle;
     actions.insert(actions.end(), action.begin(), action.end());
   }
   return actions;
@@ -68,6 +70,7 @@ HandCase make_hand_case(const std::filesystem::path& urdf, std::size_t count, un
   std::mt19937_64 random(seed);
   hand.gentle = solved(hand.profile, independent_draws(random, count, 0.5), count);
   hand.any = solved(hand.profile, independent_draws(random, count, kRadialBound), count);
+  hand.closing = solved(hand.profile, independent_draws(random, count, 0.25, -0.75), count);
   hand.trajectory = solved(hand.profile, smooth_motion(random, count, 0.5), count);
   hand.rates.resize(hand.gentle.q.size());
   std::uniform_real_distribution<double> rate(-5, 5);

@@ -22,6 +22,7 @@ struct HandCase {
   std::size_t count = 0;      ///< actions of each set
   ActionSet gentle;           ///< independent draws: any d theta, |d r| <= 0.5, where no point fades
   ActionSet any;              ///< independent draws: any d theta, |d r| <= 2, the whole range
+  ActionSet closing;          ///< independent draws: any d theta, d r in [-1, -0.5], where points of every finger fade
   ActionSet trajectory;       ///< a smooth motion through gentle actions: 25 steps from one draw to the next
   std::vector<double> rates;  ///< [count][joints] rad/s, m/s
 

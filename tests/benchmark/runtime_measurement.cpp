@@ -96,10 +96,10 @@ Tail solve_tail(const HandCase& hand, const ActionSet& set, const RuntimeSetting
 
 }  // namespace
 
-double HandMeasurement::median(const std::string& work) const {
+const Summary& HandMeasurement::summary(const std::string& work) const {
   const auto found = std::ranges::find(works, work, &Measured::work);
   if (found == works.end()) throw std::out_of_range("not measured: " + work);
-  return found->summary.median;
+  return found->summary;
 }
 
 HandMeasurement measure_hand(const HandCase& hand, const RuntimeSettings& settings) {

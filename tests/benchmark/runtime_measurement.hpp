@@ -43,8 +43,9 @@ struct HandMeasurement {
   Tail gentle_tail, any_tail;  ///< of single solves in double
   std::vector<ObjectSize> sizes;
 
-  /// Median of a work, ns a hand. Throws std::out_of_range for one that was not measured.
-  double median(const std::string& work) const;
+  /// Of a work, ns a hand. Throws std::out_of_range for one that was not measured.
+  const Summary& summary(const std::string& work) const;
+  double median(const std::string& work) const { return summary(work).median; }
 };
 
 HandMeasurement measure_hand(const HandCase& hand, const RuntimeSettings& settings);

@@ -1,10 +1,15 @@
 #include "runtime_works.hpp"
 
+#include <unistd.h>
+
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <stdexcept>
 #include <utility>
 
+#include "uhas/c/uhas.h"
+#include "uhas/profile_io/write_profile.hpp"
 #include "uhas/runtime/batch_solver.hpp"
 #include "uhas/runtime/cascade_solver.hpp"
 #include "uhas/runtime/encoder.hpp"
@@ -87,10 +92,59 @@ void add_observations(std::vector<Work>& works, const HandCase& hand, std::size_
                    }});
 }
 
-void add_encoding(std::vector<Work>& works, const HandCase& hand) {
-  const Rows<double> q(hand.gentle.q, hand.count);
+/// A learner's step: joint angles, what a policy sees of them, and fingertips for the reward.
+Work step_work(const HandCase& hand, std::size_t batch) {
+  const auto solver = std::make_shared<BatchSolver<float>>(hand.profile);
+  const Observer<float> observer(hand.profile);
+  const FingertipKinematics<float> kinematics(hand.profile);
+  return {"solve + observe + fingertips, gentle, batch, float", batch,
+          [=, observer = observer, actions = Rows<float>(hand.gentle.actions, hand.count).repeated(batch),
+           rates = Rows<float>(hand.rates, hand.count).repeated(batch), q = std::vector<float>(batch * hand.joints()),
+           seen = std::vector<float>(batch * observer.size()),
+           tips = std::vector<float>(batch * 3 * hand.fingers())](std::size_t) mutable {
+            solver->solve({.count = batch, .values = actions}, q);
+            observer.observe_batch(q, rates, seen);
+            kinematics.fingertips_batch(q, tips);
+          }};
+}
+
+Work report_work(std::string name, const HandProfile& profile, const std::vector<double>& actions) {
+  CascadeSolver<double> solver(profile);
+  std::vector<double> q(solver.joint_count());
+  std::vector<std::uint8_t> flags(q.size());
+  return singles(std::move(name), kSingles,
+                 [rows = Rows<double>(actions, actions.size() / 15), solver, q, at_limit = flags,
+                  closed = flags](std::size_t row) mutable {
+                   SolveReport report{.at_limit = at_limit, .closed = closed};
+                   solver.solve({.values = rows[row]}, q, report);
+                 });
+}
+
+/// Single solves through the C header, without a report.
+Work c_work(const HandCase& hand) {
+  const auto file = std::filesystem::temp_directory_path() / ("uhas_benchmark_" + std::to_string(getpid()) + ".h5");
+  write_profile(hand.profile, file.string());
+  uhas_profile* profile = nullptr;
+  uhas_solver* made = nullptr;
+  const bool sound = uhas_profile_load(file.c_str(), &profile, nullptr, 0) == UHAS_OK &&
+                     uhas_solver_create(profile, nullptr, &made, nullptr, 0) == UHAS_OK;
+  std::filesystem::remove(file);
+  uhas_profile_free(profile);
+  if (!sound) throw std::runtime_error("the C functions refuse the profile of " + hand.profile.hand);
+  const std::shared_ptr<uhas_solver> solver(made, uhas_solver_free);
+  return singles("solve, gentle, double, C", kSingles,
+                 [solver, rows = Rows<double>(hand.gentle.actions, hand.count),
+                  q = std::vector<double>(hand.joints())](std::size_t row) mutable {
+                   const std::span<const double> action = rows[row];
+                   uhas_solver_solve(solver.get(), action.data(), action.size(), nullptr, q.data(), q.size(), nullptr,
+                                     nullptr);
+                 });
+}
+
+void add_encoding(std::vector<Work>& works, std::string name, const HandCase& hand, const ActionSet& set) {
+  const Rows<double> q(set.q, hand.count);
   works.push_back(
-      singles("encode, double", 5,
+      singles(std::move(name), 1,
               [=, encoder = Encoder<double>(hand.profile), out = std::vector<double>(15)](std::size_t row) mutable {
                 EncodeReport report;
                 encoder.encode(q[row], out, report);
@@ -115,11 +169,13 @@ template Work solve_work<double>(std::string, const HandProfile&, const std::vec
 
 std::vector<Work> runtime_works(const HandCase& hand, std::size_t batch) {
   std::vector<Work> works;
-  const std::pair<const char*, const ActionSet*> sets[] = {{"gentle", &hand.gentle}, {"any", &hand.any}};
+  const std::pair<const char*, const ActionSet*> sets[] = {
+      {"gentle", &hand.gentle}, {"any", &hand.any}, {"closing grasp", &hand.closing}};
   for (const auto& [name, set] : sets) {
     const std::string solve = std::string("solve, ") + name;
     works.push_back(solve_work<double>(solve + ", double", hand.profile, set->actions));
     works.push_back(solve_work<float>(solve + ", float", hand.profile, set->actions));
+    works.push_back(report_work(solve + ", double, report", hand.profile, set->actions));
     works.push_back(solve_work<double>(solve + ", double, 3 passes", hand.profile, set->actions, 3));
     works.push_back(batch_work<double>(solve + ", batch, double", hand, *set, batch));
     works.push_back(batch_work<float>(solve + ", batch, float", hand, *set, batch));
@@ -128,7 +184,10 @@ std::vector<Work> runtime_works(const HandCase& hand, std::size_t batch) {
   add_fingertips<double>(works, "double", hand, batch);
   add_fingertips<float>(works, "float", hand, batch);
   add_observations(works, hand, batch);
-  add_encoding(works, hand);
+  works.push_back(step_work(hand, batch));
+  works.push_back(c_work(hand));
+  add_encoding(works, "encode, gentle, double", hand, hand.gentle);
+  add_encoding(works, "encode, any, double", hand, hand.any);
   return works;
 }
 

@@ -8,6 +8,7 @@
 #include <iostream>
 #include <string>
 
+#include "support/plain_cascade.hpp"
 #include "support/random_action.hpp"
 #include "support/real_profile.hpp"
 #include "uhas/runtime/batch_solver.hpp"
@@ -108,6 +109,22 @@ TEST_CASE("float follows double at the 99.9th percentile; the ten worst have a c
   const double p999 = differences[differences.size() / 1000].size;
   std::cout << "  99.9th percentile " << p999 << '\n';
   CHECK(p999 <= 1e-4);
+}
+
+TEST_CASE("the walk of whole fingers solves what the cascade does, joint by joint and point by point") {
+  PlainCascade<double> cascade(real_profile());
+  CascadeSolver<double> solver(real_profile());
+  std::vector<double> q(solver.joint_count());
+  std::mt19937_64 random(29);
+  double worst = 0;
+  for (int n = 0; n < 10'000; ++n) {
+    const std::vector<double> values = random_action(random, 0.5, n % 2 == 0 ? 0.5 : 2.0, 1 + n % kMaxDrivingVectors);
+    REQUIRE(solver.solve({.values = values}, q) == Status::ok);
+    cascade.solve({.values = values});
+    for (std::size_t i = 0; i < q.size(); ++i) worst = std::max(worst, std::abs(q[i] - cascade.q[i]));
+  }
+  std::cout << real_profile().hand << ", the walk and the cascade: " << worst << '\n';
+  CHECK(worst < 1e-10);
 }
 
 TEST_CASE_TEMPLATE("every instruction set solves what single solves do", Real, float, double) {

@@ -1,14 +1,18 @@
 // uhas.h: solving and the sphere controller.
 #include "uhas/c/call.hpp"
+#include "uhas/runtime/action_bounds.hpp"
 #include "uhas/runtime/sphere_controller.hpp"
 
 using namespace uhas;
 
 struct uhas_solver : c::Both<CascadeSolver> {
   uhas_solver(const HandProfile& profile, const c::SolveSettings& solve)
-      : Both(profile, solve.options), driving_vectors(solve.driving_vectors) {}
+      : Both(profile, solve.options),
+        driving_vectors(solve.driving_vectors),
+        bounds(action_bounds(profile, solve.driving_vectors, solve.options.convention)) {}
 
   int driving_vectors;
+  ActionBounds bounds;
 };
 
 namespace {
@@ -52,7 +56,8 @@ int solve(uhas_solver* handle, const Real* values, std::size_t actions_size, con
 
   uhas_solve_report out = UHAS_SOLVE_REPORT_INIT;
   c::overwrite(out, given);
-  const bool reports = out.residual_rms != nullptr || out.at_limit != nullptr || out.closed != nullptr;
+  const bool reports =
+      out.residual_rms != nullptr || out.at_limit != nullptr || out.closed != nullptr || out.clamped != nullptr;
   return static_cast<int>(each_row(hands, c::statuses_of(statuses, hands), [&](std::size_t n) {
     const std::span<Real> q_out(q + n * joints, joints);
     if (!reports) return solver.solve(actions[n], q_out);
@@ -61,6 +66,7 @@ int solve(uhas_solver* handle, const Real* values, std::size_t actions_size, con
     if (out.closed != nullptr) report.closed = {out.closed + n * joints, joints};
     const Status status = solver.solve(actions[n], q_out, report);
     if (status == Status::ok && out.residual_rms != nullptr) out.residual_rms[n] = report.residual_rms;
+    if (status == Status::ok && out.clamped != nullptr) out.clamped[n] = report.clamped;
     return status;
   }));
 }
@@ -116,6 +122,14 @@ int uhas_solver_create(const uhas_profile* profile, const uhas_solve_options* op
 }
 
 void uhas_solver_free(uhas_solver* solver) { delete solver; }
+
+int uhas_solver_action_bounds(const uhas_solver* solver, double* lower, double* upper, size_t size) {
+  if (solver == nullptr || lower == nullptr || upper == nullptr || size != solver->bounds.lower.size())
+    return UHAS_WRONG_SIZE;
+  std::copy_n(solver->bounds.lower.begin(), size, lower);
+  std::copy_n(solver->bounds.upper.begin(), size, upper);
+  return UHAS_OK;
+}
 
 int uhas_solver_solve(uhas_solver* solver, const double* actions, size_t actions_size,
                       const uhas_action_options* options, double* q, size_t q_size, const uhas_solve_report* report,

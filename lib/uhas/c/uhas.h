@@ -239,15 +239,17 @@ typedef struct uhas_solve_options {
  * residual_rms   [N] how far the surface stays from where it should be, sphere radii; NaN when all of it has vanished
  * at_limit       [N][joint count] 1 where a joint would go further if it had no limit, else 0
  * closed         [N][joint count] 1 where a joint closed because the sphere has vanished, else 0
+ * clamped        [N] 1 where a number of the action was beyond its bounds, else 0
  */
 typedef struct uhas_solve_report {
   size_t struct_size;
   double* residual_rms;
   uint8_t* at_limit;
   uint8_t* closed;
+  uint8_t* clamped;
 } uhas_solve_report;
 /* clang-format off */
-#define UHAS_SOLVE_REPORT_INIT { sizeof(uhas_solve_report), NULL, NULL, NULL }
+#define UHAS_SOLVE_REPORT_INIT { sizeof(uhas_solve_report), NULL, NULL, NULL, NULL }
 /* clang-format on */
 
 typedef struct uhas_solver uhas_solver;
@@ -255,6 +257,13 @@ typedef struct uhas_solver uhas_solver;
 int uhas_solver_create(const uhas_profile* profile, const uhas_solve_options* options, uhas_solver** solver,
                        char* message, size_t message_size);
 void uhas_solver_free(uhas_solver* solver);
+
+/* Bounds of an action's numbers, to which those beyond are clamped; of normalised ones they are -1 and 1. Both bounds of
+ * a number that no finger reads are 0: d_theta of a finger that cannot move sideways, and all of a slot without finger.
+ *
+ * lower, upper   [5 + 5 V] out: rad, sphere radii
+ */
+int uhas_solver_action_bounds(const uhas_solver* solver, double* lower, double* upper, size_t size);
 
 /* Joint angles of actions, within limits for any finite action, one after the other: a uhas_batch is many times
  * faster for many.

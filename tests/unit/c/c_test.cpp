@@ -15,6 +15,7 @@
 #include "support/small_profile.hpp"
 #include "uhas/c/uhas.h"
 #include "uhas/profile_io/write_profile.hpp"
+#include "uhas/runtime/action_bounds.hpp"
 #include "uhas/runtime/batch_solver.hpp"
 #include "uhas/runtime/joint_groups.hpp"
 #include "uhas/runtime/observation.hpp"
@@ -173,6 +174,30 @@ TEST_CASE("solves are those of C++, in both precisions, one or many") {
   REQUIRE(uhas_solver_solve_f(solver.get, actions_f.data(), actions.size(), nullptr, q_f.data(), q_f.size(), nullptr,
                               nullptr) == UHAS_OK);
   CHECK(q_f == solve_in_cpp<float>(actions));
+}
+
+TEST_CASE("the bounds of actions are those of C++, and a report tells of a number beyond them") {
+  OwnedSolver solver;
+  uhas_solve_options options = UHAS_SIM_SOLVE_OPTIONS_INIT;
+  options.driving_vectors = 3;
+  REQUIRE(uhas_solver_create(small_handle(), &options, &solver.get, nullptr, 0) == UHAS_OK);
+  std::vector<double> lower(20), upper(20);
+  REQUIRE(uhas_solver_action_bounds(solver.get, lower.data(), upper.data(), 20) == UHAS_OK);
+  const ActionBounds expected = action_bounds(test::small_profile(), 3, kUhasSim.convention);
+  CHECK(lower == expected.lower);
+  CHECK(upper == expected.upper);
+  CHECK(uhas_solver_action_bounds(solver.get, lower.data(), upper.data(), 15) == UHAS_WRONG_SIZE);
+  CHECK(uhas_solver_action_bounds(nullptr, lower.data(), upper.data(), 20) == UHAS_WRONG_SIZE);
+  CHECK(uhas_solver_action_bounds(solver.get, nullptr, upper.data(), 20) == UHAS_WRONG_SIZE);
+
+  std::vector<double> actions(40, 0.0), q(2 * kJoints);
+  actions[20 + 7] = 2.5;
+  std::vector<std::uint8_t> clamped(2, 7);
+  uhas_solve_report report = UHAS_SOLVE_REPORT_INIT;
+  report.clamped = clamped.data();
+  REQUIRE(uhas_solver_solve(solver.get, actions.data(), actions.size(), nullptr, q.data(), q.size(), &report,
+                            nullptr) == UHAS_OK);
+  CHECK(clamped == std::vector<std::uint8_t>{0, 1});
 }
 
 TEST_CASE("a C program solves, with options of every kind") {

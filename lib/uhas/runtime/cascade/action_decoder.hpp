@@ -65,6 +65,27 @@ class ActionDecoder {
             .radial_bounds = data_or_null(action.radial_bounds)};
   }
 
+  /// Whether a number of the action is beyond its bounds; an offset may bring one there.
+  bool clamps(const ActionNumbers<Real>& action) const noexcept {
+    const Real lowest = action.radial_bounds ? action.radial_bounds[0] : Real(convention_.radial_lower);
+    const Real highest = action.radial_bounds ? action.radial_bounds[1] : Real(convention_.radial_upper);
+    const auto beyond = [](Real value, Real lower, Real upper) { return value < lower || value > upper; };
+    for (const Owner& owner : owners_)
+      for (int n = 0; n < owner.slot_count; ++n) {
+        const int slot = owner.slots[n];
+        const Real turn =
+            scaled(Real(convention_.azimuth_sign) * action.values[slot], owner.lower, owner.upper, action.normalized);
+        const Real offset = action.azimuth_offsets ? action.azimuth_offsets[slot] : Real(0);
+        if (beyond(turn, owner.lower, owner.upper)) return true;
+        if (beyond(turn + offset, owner.lower, owner.upper)) return true;
+        for (int j = 0; j < action.vectors; ++j)
+          if (beyond(scaled(action.values[kSlotCount + action.vectors * slot + j], lowest, highest, action.normalized),
+                     lowest, highest))
+            return true;
+      }
+    return false;
+  }
+
   /// [V] polar angles of driving vectors that an action does not place, rad.
   std::span<const Real> default_angles(int vectors) const noexcept {
     return {default_phi_[vectors - 1].data(), std::size_t(vectors)};
@@ -144,9 +165,12 @@ class ActionDecoder {
   };
 
   template <class Num>
+  static Num scaled(Num value, Num lower, Num upper, bool normalized) noexcept {
+    return normalized ? value * select(value < Num(0), -lower, upper) : value;
+  }
+  template <class Num>
   static Num bounded(Num value, Num lower, Num upper, bool normalized) noexcept {
-    if (normalized) value *= select(value < Num(0), -lower, upper);
-    return clamp(value, lower, upper);
+    return clamp(scaled(value, lower, upper, normalized), lower, upper);
   }
 
   ActionConvention convention_;

@@ -171,6 +171,7 @@ void SingleHand<Real>::report(const ActionNumbers<Real>& action, std::span<const
   model_->decoder.decode(action, cascade_.planes.data());
   cascade_.place_joints(*model_, q);
   report.residual_rms = squared_errors().rms();
+  report.clamped = model_->decoder.clamps(action);
 
   std::fill(report.at_limit.begin(), report.at_limit.end(), 0);
   std::fill(report.closed.begin(), report.closed.end(), 0);

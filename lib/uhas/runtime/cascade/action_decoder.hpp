@@ -65,6 +65,33 @@ class ActionDecoder {
             .radial_bounds = data_or_null(action.radial_bounds)};
   }
 
+  /// Calls `use(number, input, slope)` for each number of the action that `finger` reads: input 0 = delta theta, 1 + j = the
+  /// displacement of driving vector j; the slope of that input, as `decode_finger` makes it, against the number.
+  template <class Use>
+  void each_slope(const ActionNumbers<Real>& action, int finger, const Use& use) const noexcept {
+    const Owner& owner = owners_[finger];
+    const Real lowest = action.radial_bounds ? action.radial_bounds[0] : Real(convention_.radial_lower);
+    const Real highest = action.radial_bounds ? action.radial_bounds[1] : Real(convention_.radial_upper);
+    // of a number that is clamped 0, else what a unit of it is scaled to
+    const auto slope = [&](Real value, Real lower, Real upper) {
+      const Real unit = action.normalized ? (value < Real(0) ? -lower : upper) : Real(1);
+      const Real there = value * unit;
+      return there < lower || there > upper ? Real(0) : unit * owner.share;
+    };
+    for (int n = 0; n < owner.slot_count; ++n) {
+      const int slot = owner.slots[n];
+      const Real sign(Real(convention_.azimuth_sign)), input = sign * action.values[slot];
+      const Real turn = bounded(input, owner.lower, owner.upper, action.normalized);
+      const Real offset = action.azimuth_offsets ? action.azimuth_offsets[slot] : Real(0);
+      const bool offset_clamps = turn + offset < owner.lower || turn + offset > owner.upper;
+      use(slot, 0, offset_clamps ? Real(0) : sign * slope(input, owner.lower, owner.upper));
+      for (int j = 0; j < action.vectors; ++j) {
+        const int number = kSlotCount + action.vectors * slot + j;
+        use(number, 1 + j, slope(action.values[number], lowest, highest));
+      }
+    }
+  }
+
   /// Whether a number of the action is beyond its bounds; an offset may bring one there.
   bool clamps(const ActionNumbers<Real>& action) const noexcept {
     const Real lowest = action.radial_bounds ? action.radial_bounds[0] : Real(convention_.radial_lower);

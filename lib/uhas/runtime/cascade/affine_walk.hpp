@@ -204,7 +204,7 @@ WalkFit<Num> fit_turn(const TurnSums<Num>& sums, const std::array<Num, kLeadInpu
   T = turned(T, {select(below, at_lower.sine, select(above, at_upper.sine, sine * per_length)),
                  select(below, at_lower.cosine, select(above, at_upper.cosine, cosine * per_length))});
   const Num q = clamp(start + atan2(sine, cosine), lower, upper);
-  return {select(below, lower, select(above, upper, q)), below | above};
+  return {select(below, lower, select(above, upper, q)), MaskOf<Num>(below | above)};
 }
 
 /// @param sums_of    sums_of(step): TurnSums, asked for each fitted joint in order

@@ -2,6 +2,8 @@
 // Source files that instantiate it for plain numbers add point_targets.hpp and contact_rule.hpp.
 #pragma once
 
+#include <type_traits>
+
 #include "uhas/runtime/cascade/cascade.hpp"
 #include "uhas/runtime/cascade/coupled_joints.hpp"
 #include "uhas/runtime/cascade/patch_moments.hpp"
@@ -41,7 +43,7 @@ Cascade<Num, Visit>::Cascade(const Model& model, Visit visit)
 template <class Num, class Visit>
 void Cascade<Num, Visit>::begin(const Model& model) noexcept {
   // the interpolated field mixes fingers: its targets are summed for the whole hand at once
-  if constexpr (LaneTraits<Num>::width == 1) {
+  if constexpr (std::is_floating_point_v<Num>) {
     if (model.options.field == FieldReading::field) average_planes(model), sum_points(model);
   }
 }
@@ -216,7 +218,7 @@ template <class Num, class Visit>
 typename Cascade<Num, Visit>::Fit Cascade<Num, Visit>::fit_step(const Model& model, const SolverStep& step,
                                                                 const RigidTransform<Num>& F,
                                                                 const Pass& pass) noexcept {
-  if constexpr (LaneTraits<Num>::width == 1) {  // the contact rule is not made for lanes
+  if constexpr (std::is_floating_point_v<Num>) {  // the contact rule is made for plain numbers
     if (model.options.rule == CascadeRule::contact) {
       const SolverJoint<Real>& joint = model.joints[step.joint];
       return within_limits(joint,

@@ -10,9 +10,6 @@
 namespace uhas {
 namespace {
 
-/// Derivatives that one run carries: all that an action says to a finger, with two driving vectors.
-constexpr int kSlopes = 3;
-
 void check_differentiable(const SolveOptions& options) {
   if (options.rule != CascadeRule::correspondence)
     throw Error(ErrorCode::invalid_option, "", "rule is contact, which has no derivatives: its joints jump",
@@ -28,7 +25,9 @@ void check_differentiable(const SolveOptions& options) {
 /// displacements, are the inputs of its joints; a finger that shares joints with others takes its turn among them.
 template <class Real>
 struct DifferentiableSolver<Real>::Scratch {
-  using Num = Dual<Real, kSlopes>;
+  using Num = Dual<Real>;
+  /// Inputs of one run: all that an action says to a finger, with up to three driving vectors.
+  static constexpr int kInputs = Num::kInputs;
 
   explicit Scratch(const SolverModel<Real>& solver_model)
       : model(&solver_model), bundles(bundle_fingers(solver_model, 1)), cascade(solver_model) {
@@ -41,7 +40,7 @@ struct DifferentiableSolver<Real>::Scratch {
   /// @param jacobian  [joint][numbers of the action] out
   void differentiate(const ActionNumbers<Real>& action, std::span<Real> jacobian) noexcept {
     std::fill(jacobian.begin(), jacobian.end(), Real(0));
-    for (int first = 0; first < 1 + action.vectors; first += kSlopes) {
+    for (int first = 0; first < 1 + action.vectors; first += kInputs) {
       for (const AffineBundle<Real>& bundle : bundles) walk_finger(bundle, action, first, jacobian);
       for (int n : other_parts)
         for (int f : model->parts[n].fingers) run_part(model->parts[n], f, action, first, jacobian);
@@ -53,7 +52,7 @@ struct DifferentiableSolver<Real>::Scratch {
     PlaneDeformation<Real> plain;
     model->decoder.decode_finger(action, finger, plain);
     const auto number = [&](Real value, int input) {
-      return is_input && input >= first && input < first + kSlopes ? Num::input(value, input - first) : Num(value);
+      return is_input && input >= first && input < first + kInputs ? Num::input(value, input - first) : Num(value);
     };
     PlaneDeformation<Num>& plane = cascade.planes[finger];
     plane.vectors = plain.vectors;
@@ -118,7 +117,7 @@ struct DifferentiableSolver<Real>::Scratch {
            std::span<Real> jacobian) const noexcept {
     Real* const row = jacobian.data() + joint * kSlotCount * (1 + action.vectors);
     model->decoder.each_slope(action, finger, [&](int number, int input, Real slope) {
-      if (input >= first && input < first + kSlopes) row[number] = q.slope[input - first] * slope;
+      if (input >= first && input < first + kInputs) row[number] = q.slope(input - first) * slope;
     });
   }
 

@@ -3,11 +3,13 @@
 #include <dlfcn.h>
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <cstdlib>
 #include <limits>
 
+#include "support/chains_profile.hpp"
 #include "support/mirrored_profile.hpp"
 #include "support/random_action.hpp"
 #include "support/scratch_folder.hpp"
@@ -17,6 +19,7 @@
 #include "uhas/runtime/batch_solver.hpp"
 #include "uhas/runtime/cascade_solver.hpp"
 #include "uhas/runtime/deformation_field.hpp"
+#include "uhas/runtime/differentiable_solver.hpp"
 #include "uhas/runtime/fingertip_kinematics.hpp"
 #include "uhas/runtime/observation.hpp"
 #include "uhas/runtime/retarget.hpp"
@@ -61,6 +64,31 @@ TEST_CASE("counting sees operator new and malloc") {
   delete wide;
   std::free(b);
   CHECK(allocations == 3);
+}
+
+TEST_CASE("10,000 walks allocate nothing: plain, with a report, differentiated and in batches") {
+  CascadeSolver<double> solver(test::chains_profile());
+  DifferentiableSolver<double> differentiable(test::chains_profile());
+  BatchSolver<double> batch(test::chains_profile());
+  constexpr std::size_t count = 100;
+  std::vector<double> actions, q(count * solver.joint_count()), jacobian(15 * solver.joint_count());
+  std::mt19937_64 random(5);
+  for (std::size_t n = 0; n < count; ++n)
+    for (double number : test::random_action(random, 1, n % 2 == 0 ? 0.5 : 2)) actions.push_back(number);
+  allocations = 0;
+  counting = true;
+  Status worst = Status::ok;
+  for (std::size_t n = 0; n < 10'000; ++n) {
+    const Action<double> action{.values = std::span(actions).subspan(n % count * 15, 15)};
+    const std::span<double> one = std::span(q).first(solver.joint_count());
+    SolveReport report;
+    worst = std::max({worst, solver.solve(action, one), solver.solve(action, one, report),
+                      differentiable.solve_with_jacobian(action, one, jacobian)});
+    if (n % count == 0) worst = std::max(worst, batch.solve({.count = count, .values = actions}, q));
+  }
+  counting = false;
+  CHECK(allocations == 0);
+  CHECK(worst == Status::ok);
 }
 
 TEST_CASE("10,000 solves allocate nothing") {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "support/arch_profile.hpp"
+#include "support/chains_profile.hpp"
 #include "support/error_check.hpp"
 #include "support/mirrored_profile.hpp"
 #include "support/random_action.hpp"
@@ -15,17 +16,6 @@
 using namespace uhas;
 
 namespace {
-
-/// The small hand without its mimic and its slide: two chains of turns, which are walked.
-HandProfile chains_profile() {
-  HandProfile p = test::small_profile();
-  p.tree.joints[2].mimic_master = -1, p.tree.joints[2].mimic_multiplier = 1, p.tree.joints[2].mimic_offset = 0;
-  p.tree.joints[4].kind = JointKind::revolute;
-  p.tree.joints[4].upper = 1.2;
-  p.joint_traits[4].q_sphere = 0.4, p.joint_traits[4].q_closed = 1.2;
-  test::place_on_sphere(p);
-  return p;
-}
 
 /// How an action is read besides its numbers.
 struct Reading {
@@ -84,14 +74,14 @@ double compare(const HandProfile& profile, const SolveOptions& options, const Re
 }  // namespace
 
 TEST_CASE("derivatives are those that differences of solves approach") {
-  for (const HandProfile& profile :
-       {chains_profile(), test::mirror_image(chains_profile()), test::small_profile(), test::arch_profile()})
+  for (const HandProfile& profile : {test::chains_profile(), test::mirror_image(test::chains_profile()),
+                                     test::small_profile(), test::arch_profile()})
     for (int vectors = 1; vectors <= kMaxDrivingVectors; ++vectors)
       for (double r : {0.4, 1.5}) CHECK(compare(profile, {}, {}, vectors, r) > 0.9);
 }
 
 TEST_CASE("so they are with several passes, hard closing and every option of an action") {
-  for (const HandProfile& profile : {chains_profile(), test::small_profile(), test::arch_profile()}) {
+  for (const HandProfile& profile : {test::chains_profile(), test::small_profile(), test::arch_profile()}) {
     CHECK(compare(profile, {.passes = 3}, {}, 2, 0.4) > 0.9);
     CHECK(compare(profile, {.closing = CascadeClosing::hard}, {}, 2, 1.5) > 0.9);
     CHECK(compare(profile, {.convention = kUhasSim.convention}, {}, 2, 0.4) > 0.9);
@@ -102,8 +92,8 @@ TEST_CASE("so they are with several passes, hard closing and every option of an 
 }
 
 TEST_CASE("a joint at a limit and a number beyond its bound have derivatives of 0") {
-  DifferentiableSolver<double> solver(chains_profile());
-  CascadeSolver<double> plain(chains_profile());
+  DifferentiableSolver<double> solver(test::chains_profile());
+  CascadeSolver<double> plain(test::chains_profile());
   std::vector<double> q(5), jacobian(5 * 15);
   std::vector<std::uint8_t> at_limit(5);
   SolveReport report{.at_limit = at_limit, .closed = {}};
@@ -125,8 +115,8 @@ TEST_CASE("a joint at a limit and a number beyond its bound have derivatives of 
 }
 
 TEST_CASE("float derivatives follow double ones") {
-  DifferentiableSolver<float> solver(chains_profile());
-  DifferentiableSolver<double> wide(chains_profile());
+  DifferentiableSolver<float> solver(test::chains_profile());
+  DifferentiableSolver<double> wide(test::chains_profile());
   std::vector<float> q(5), jacobian(75);
   std::vector<double> q_wide(5), jacobian_wide(75);
   std::mt19937_64 random(4);
@@ -144,10 +134,10 @@ TEST_CASE("float derivatives follow double ones") {
 
 TEST_CASE("what cannot be differentiated is refused, and so are wrong sizes") {
   test::check_error(ErrorCode::invalid_option, "contact",
-                    [] { DifferentiableSolver<double>(chains_profile(), {.rule = CascadeRule::contact}); });
+                    [] { DifferentiableSolver<double>(test::chains_profile(), {.rule = CascadeRule::contact}); });
   test::check_error(ErrorCode::invalid_option, "field",
-                    [] { DifferentiableSolver<double>(chains_profile(), {.field = FieldReading::field}); });
-  DifferentiableSolver<double> solver(chains_profile());
+                    [] { DifferentiableSolver<double>(test::chains_profile(), {.field = FieldReading::field}); });
+  DifferentiableSolver<double> solver(test::chains_profile());
   std::vector<double> values(15), q(5, 7.0), jacobian(75, 7.0);
   CHECK(solver.solve_with_jacobian({.values = values}, q, std::span(jacobian).first(74)) == Status::wrong_size);
   values[3] = NAN;

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "support/arch_profile.hpp"
+#include "support/chains_profile.hpp"
 #include "support/mirrored_profile.hpp"
 #include "support/plain_cascade.hpp"
 #include "support/random_action.hpp"
@@ -17,28 +18,6 @@
 using namespace uhas;
 
 namespace {
-
-/// The small hand without its mimic and its slide: two chains of turns.
-HandProfile chains_profile() {
-  HandProfile p = test::small_profile();
-  p.tree.joints[2].mimic_master = -1, p.tree.joints[2].mimic_multiplier = 1, p.tree.joints[2].mimic_offset = 0;
-  p.tree.joints[4].kind = JointKind::revolute;
-  p.tree.joints[4].upper = 1.2;
-  p.joint_traits[4].q_sphere = 0.4, p.joint_traits[4].q_closed = 1.2;
-  test::place_on_sphere(p);
-  return p;
-}
-
-/// The same with the lateral joint second: the first joint sees the points beyond through its turn.
-HandProfile lateral_second_profile() {
-  HandProfile p = chains_profile();
-  std::swap(p.tree.joints[0].lower, p.tree.joints[1].lower);
-  std::swap(p.tree.joints[0].upper, p.tree.joints[1].upper);
-  std::swap(p.joint_traits[0], p.joint_traits[1]);
-  p.lateral_tables[0].joint = 1;
-  test::place_on_sphere(p);
-  return p;
-}
 
 /// Random actions, gentle ones and any, solved both ways.
 void compare(const HandProfile& profile, const SolveOptions& options, int vectors, double r) {
@@ -63,14 +42,15 @@ void compare(const HandProfile& profile, const SolveOptions& options, int vector
 }  // namespace
 
 TEST_CASE("a walk gives what the cascade gives, with every number of driving vectors") {
-  for (const HandProfile& profile : {chains_profile(), lateral_second_profile(), test::mirror_image(chains_profile()),
-                                     test::small_profile(), test::arch_profile()})
+  for (const HandProfile& profile :
+       {test::chains_profile(), test::lateral_second_profile(), test::mirror_image(test::chains_profile()),
+        test::small_profile(), test::arch_profile()})
     for (int vectors = 1; vectors <= kMaxDrivingVectors; ++vectors)
       for (double r : {0.4, 2.0}) compare(profile, {}, vectors, r);
 }
 
 TEST_CASE("so it does with other conventions and with hard closing") {
-  const HandProfile profile = lateral_second_profile();
+  const HandProfile profile = test::lateral_second_profile();
   compare(profile, {.closing = CascadeClosing::hard}, 2, 2.0);
   compare(profile, {.convention = {.held_toward_pole = true}}, 2, 2.0);
   compare(profile, {.convention = {.absolute_radii = true, .held_toward_pole = true, .azimuth_sign = -1}}, 3, 2.0);
@@ -80,12 +60,12 @@ TEST_CASE("fingers side by side are those that stand alone, in one pass of the d
   const auto bundles = [](const HandProfile& profile, const SolveOptions& options, int width) {
     return bundle_fingers(*compile_solver_model<double>(profile, options), width);
   };
-  const HandProfile profile = lateral_second_profile();
+  const HandProfile profile = test::lateral_second_profile();
   CHECK(bundles(profile, {}, 1).size() == 2);
   REQUIRE(bundles(profile, {}, 4).size() == 1);
   CHECK(bundles(profile, {}, 4).front().fingers.size() == 2);
   CHECK(bundles(profile, {}, 4).front().before == 1);
-  CHECK(bundles(chains_profile(), {}, 4).front().before == 0);
+  CHECK(bundles(test::chains_profile(), {}, 4).front().before == 0);
   CHECK(bundles(test::arch_profile(), {}, 4).empty());   // both fingers share a joint
   CHECK(bundles(test::small_profile(), {}, 4).empty());  // one has a mimic, the other slides
   CHECK(bundles(profile, {.passes = 2}, 4).empty());
@@ -94,7 +74,7 @@ TEST_CASE("fingers side by side are those that stand alone, in one pass of the d
 }
 
 TEST_CASE_TEMPLATE("single solves give the same bits with narrow instructions as with wide ones", Real, float, double) {
-  const HandProfile profile = lateral_second_profile();
+  const HandProfile profile = test::lateral_second_profile();
   CascadeSolver<Real> wide(profile);
   REQUIRE(setenv("UHAS_INSTRUCTION_SET", "baseline", 1) == 0);
   CascadeSolver<Real> narrow(profile);

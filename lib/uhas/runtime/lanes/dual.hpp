@@ -8,88 +8,104 @@
 
 namespace uhas {
 
-/// A value and its derivatives with respect to N inputs.
-template <class Real, int N>
+/// A value and its derivatives with respect to up to `kInputs` inputs, in the 128 bits that every processor has.
+template <class Real>
 struct Dual {
+  static constexpr int kInputs = 4;
+  typedef Real Slopes __attribute__((vector_size(16)));
+  static constexpr int kWidth = 16 / sizeof(Real), kVectors = kInputs / kWidth;
+
   Real value;
-  std::array<Real, N> slope;
+  Slopes slopes[kVectors];
 
   Dual() = default;  // not set, like a plain number
-  constexpr Dual(Real constant) : value(constant), slope{} {}
-  constexpr Dual(Real v, const std::array<Real, N>& s) : value(v), slope(s) {}
+  Dual(Real constant) : value(constant), slopes{} {}
 
   /// The input number `input`, of which the derivatives are taken.
-  static constexpr Dual input(Real value, int input) {
+  static Dual input(Real value, int input) {
     Dual a(value);
-    a.slope[input] = 1;
+    a.slopes[input / kWidth][input % kWidth] = 1;
     return a;
   }
+  Real slope(int input) const { return slopes[input / kWidth][input % kWidth]; }
 
-  friend constexpr Dual operator+(const Dual& a, const Dual& b) { return a.with(a.value + b.value, 1, b, 1); }
-  friend constexpr Dual operator-(const Dual& a, const Dual& b) { return a.with(a.value - b.value, 1, b, -1); }
-  friend constexpr Dual operator*(const Dual& a, const Dual& b) {
+  friend Dual operator+(const Dual& a, const Dual& b) {
+    Dual sum;
+    sum.value = a.value + b.value;
+    for (int i = 0; i < kVectors; ++i) sum.slopes[i] = a.slopes[i] + b.slopes[i];
+    return sum;
+  }
+  friend Dual operator-(const Dual& a, const Dual& b) {
+    Dual difference;
+    difference.value = a.value - b.value;
+    for (int i = 0; i < kVectors; ++i) difference.slopes[i] = a.slopes[i] - b.slopes[i];
+    return difference;
+  }
+  friend Dual operator*(const Dual& a, const Dual& b) {
     return a.with(a.value * b.value, b.value, b, a.value);
   }
-  friend constexpr Dual operator/(const Dual& a, const Dual& b) {
+  friend Dual operator/(const Dual& a, const Dual& b) {
     const Real quotient = a.value / b.value;
     return a.with(quotient, 1 / b.value, b, -quotient / b.value);
   }
-  friend constexpr Dual operator-(const Dual& a) { return Dual(0) - a; }
-  constexpr Dual& operator+=(const Dual& b) { return *this = *this + b; }
-  constexpr Dual& operator-=(const Dual& b) { return *this = *this - b; }
-  constexpr Dual& operator*=(const Dual& b) { return *this = *this * b; }
+  friend Dual operator-(const Dual& a) { return Dual(0) - a; }
+  Dual& operator+=(const Dual& b) { return *this = *this + b; }
+  Dual& operator-=(const Dual& b) { return *this = *this - b; }
+  Dual& operator*=(const Dual& b) { return *this = *this * b; }
 
-  friend constexpr bool operator<(const Dual& a, const Dual& b) { return a.value < b.value; }
-  friend constexpr bool operator<=(const Dual& a, const Dual& b) { return a.value <= b.value; }
-  friend constexpr bool operator>(const Dual& a, const Dual& b) { return a.value > b.value; }
-  friend constexpr bool operator>=(const Dual& a, const Dual& b) { return a.value >= b.value; }
-  friend constexpr bool operator==(const Dual& a, const Dual& b) { return a.value == b.value; }
-  friend constexpr bool operator!=(const Dual& a, const Dual& b) { return a.value != b.value; }
+  friend bool operator<(const Dual& a, const Dual& b) { return a.value < b.value; }
+  friend bool operator<=(const Dual& a, const Dual& b) { return a.value <= b.value; }
+  friend bool operator>(const Dual& a, const Dual& b) { return a.value > b.value; }
+  friend bool operator>=(const Dual& a, const Dual& b) { return a.value >= b.value; }
+  friend bool operator==(const Dual& a, const Dual& b) { return a.value == b.value; }
+  friend bool operator!=(const Dual& a, const Dual& b) { return a.value != b.value; }
 
   /// `result`, a function whose derivative is `factor` here and `other` in `b`.
-  constexpr Dual with(Real result, Real factor, const Dual& b, Real other) const {
-    Dual a(result);
-    for (int i = 0; i < N; ++i) a.slope[i] = factor * slope[i] + other * b.slope[i];
+  Dual with(Real result, Real factor, const Dual& b, Real other) const {
+    Dual a;
+    a.value = result;
+    for (int i = 0; i < kVectors; ++i) a.slopes[i] = factor * slopes[i] + other * b.slopes[i];
     return a;
   }
-  constexpr Dual with(Real result, Real factor) const {
-    Dual a(result);
-    for (int i = 0; i < N; ++i) a.slope[i] = factor * slope[i];
+  Dual with(Real result, Real factor) const {
+    Dual a;
+    a.value = result;
+    for (int i = 0; i < kVectors; ++i) a.slopes[i] = factor * slopes[i];
     return a;
   }
 };
 
 /// One hand a number, as a plain number is.
-template <class R, int N>
-struct LaneTraits<Dual<R, N>> {
+template <class R>
+struct LaneTraits<Dual<R>> {
   using Real = R;
   using Mask = bool;
   static constexpr int width = 1;
 };
 
-template <class Real, int N>
-Real lane(const Dual<Real, N>& a, int) {
+template <class Real>
+Real lane(const Dual<Real>& a, int) {
   return a.value;
 }
-template <class Real, int N>
-void set_lane(Dual<Real, N>& a, int, Real constant) {
+template <class Real>
+void set_lane(Dual<Real>& a, int, Real constant) {
   a = constant;
 }
 
-template <class Real, int N>
-Dual<Real, N> sqrt(const Dual<Real, N>& a) {
+template <class Real>
+Dual<Real> sqrt(const Dual<Real>& a) {
   const Real root = sqrt(a.value);
   return a.with(root, Real(0.5) / root);
 }
 
-template <class Real, int N>
-SinCos<Dual<Real, N>> sincos(Dual<Real, N> x) {
+template <class Real>
+SinCos<Dual<Real>> sincos(Dual<Real> x) {
   const SinCos<Real> at = sincos(x.value);
   return {.sine = x.with(at.sine, at.cosine), .cosine = x.with(at.cosine, -at.sine)};
 }
 
-template <class Real, int N>
-Dual<Real, N> atan2(Dual<Real, N> y, Dual<Real, N> x) {
+template <class Real>
+Dual<Real> atan2(Dual<Real> y, Dual<Real> x) {
   const Real squared = x.value * x.value + y.value * y.value;
   return y.with(atan2(y.value, x.value), x.value / squared, x, -y.value / squared);
 }

@@ -1,6 +1,6 @@
 // uhas.h: solving and the sphere controller.
 #include "uhas/c/call.hpp"
-#include "uhas/runtime/action_bounds.hpp"
+#include "uhas/runtime/action.hpp"
 #include "uhas/runtime/sphere_controller.hpp"
 
 using namespace uhas;

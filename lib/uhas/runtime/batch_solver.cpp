@@ -51,7 +51,12 @@ class BatchSolver<Real>::Crew {
     if (status != Status::ok || rows_.count() == 0) return status;
 
     chunks_.start(rows_.count());
-    pool_.run([](void* crew, int worker) { static_cast<Crew*>(crew)->work(worker); }, this);
+    for (Worker& worker : workers_) worker.refusal = {};
+    // to wake a thread costs more than it would take off the caller
+    if (rows_.count() < 2 * RowChunks::kRows)
+      work(0);
+    else
+      pool_.run([](void* crew, int worker) { static_cast<Crew*>(crew)->work(worker); }, this);
 
     FirstRefusal first;
     for (const Worker& worker : workers_) first.add(worker.refusal);
@@ -70,7 +75,6 @@ class BatchSolver<Real>::Crew {
 
   void work(int index) noexcept {
     Worker& worker = workers_[index];
-    worker.refusal = {};
     for (RowChunks::Chunk chunk = chunks_.take(); !chunk.empty(); chunk = chunks_.take())
       for (std::size_t row = chunk.begin; row < chunk.end; ++row) take(worker, row);
     for (LaneQueue<Real>& queue : worker.queues) queue.finish(rows_);

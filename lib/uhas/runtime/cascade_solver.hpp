@@ -77,7 +77,7 @@ struct SolveReport {
                             ///< NaN when every point has been dropped
   std::span<std::uint8_t> at_limit;  ///< 1 where the fitted angle was held at a limit
   std::span<std::uint8_t> closed;    ///< 1 where the joint closed because no point was left
-  bool clamped = false;  ///< a number of the action was beyond its bounds (action_bounds.hpp) and was clamped
+  bool clamped = false;              ///< a number of the action was beyond its bounds (`action_bounds`) and was clamped
 };
 
 /// Solves one hand. Copies share the constant model and have scratch memory of their own: give each thread its copy.

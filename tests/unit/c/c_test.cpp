@@ -15,7 +15,7 @@
 #include "support/small_profile.hpp"
 #include "uhas/c/uhas.h"
 #include "uhas/profile_io/write_profile.hpp"
-#include "uhas/runtime/action_bounds.hpp"
+#include "uhas/runtime/action.hpp"
 #include "uhas/runtime/batch_solver.hpp"
 #include "uhas/runtime/joint_groups.hpp"
 #include "uhas/runtime/observation.hpp"

@@ -1,6 +1,4 @@
 // The bounds of an action's numbers against what solves make of numbers at and beyond them.
-#include "uhas/runtime/action_bounds.hpp"
-
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -8,6 +6,7 @@
 #include "support/error_check.hpp"
 #include "support/random_action.hpp"
 #include "support/small_profile.hpp"
+#include "uhas/runtime/action.hpp"
 #include "uhas/runtime/cascade_solver.hpp"
 
 using namespace uhas;

@@ -41,9 +41,7 @@ struct Dual {
     for (int i = 0; i < kVectors; ++i) difference.slopes[i] = a.slopes[i] - b.slopes[i];
     return difference;
   }
-  friend Dual operator*(const Dual& a, const Dual& b) {
-    return a.with(a.value * b.value, b.value, b, a.value);
-  }
+  friend Dual operator*(const Dual& a, const Dual& b) { return a.with(a.value * b.value, b.value, b, a.value); }
   friend Dual operator/(const Dual& a, const Dual& b) {
     const Real quotient = a.value / b.value;
     return a.with(quotient, 1 / b.value, b, -quotient / b.value);

@@ -9,6 +9,8 @@ namespace uhas {
 
 class RowChunks {
  public:
+  static constexpr std::size_t kRows = 64;  ///< of a chunk
+
   struct Chunk {
     std::size_t begin, end;
     bool empty() const noexcept { return begin == end; }
@@ -22,9 +24,8 @@ class RowChunks {
 
   /// The next rows that no thread has taken; empty when there are none.
   Chunk take() noexcept {
-    constexpr std::size_t chunk = 64;
-    const std::size_t begin = std::min(next_.fetch_add(chunk, std::memory_order_relaxed), count_);
-    return {begin, std::min(begin + chunk, count_)};
+    const std::size_t begin = std::min(next_.fetch_add(kRows, std::memory_order_relaxed), count_);
+    return {begin, std::min(begin + kRows, count_)};
   }
 
  private:

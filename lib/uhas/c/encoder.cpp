@@ -16,6 +16,15 @@ struct uhas_retargeter : c::Both<Retargeter> {
 
 namespace {
 
+uhas_encode_report c_report(const EncodeReport& report) {
+  uhas_encode_report told{report.residual_max, report.residual_rms, {}, {}};
+  for (int f = 0; f < kSlotCount; ++f) {
+    told.finger_residual[f] = report.fingers[f].residual;
+    told.finger_joint[f] = report.fingers[f].joint;
+  }
+  return told;
+}
+
 /// Posture after posture from q [N][from] to out [N][to] by `run`.
 template <class Real, class Run>
 int each_posture(std::span<const Real> q, std::size_t from, std::span<Real> out, std::size_t to,
@@ -25,7 +34,7 @@ int each_posture(std::span<const Real> q, std::size_t from, std::span<Real> out,
   return static_cast<int>(each_row(hands, c::statuses_of(statuses, hands), [&](std::size_t n) {
     EncodeReport report;
     const Status status = run(q.subspan(n * from, from), out.subspan(n * to, to), report);
-    if (status == Status::ok && reports != nullptr) reports[n] = {report.residual_max, report.residual_rms};
+    if (status == Status::ok && reports != nullptr) reports[n] = c_report(report);
     return status;
   }));
 }

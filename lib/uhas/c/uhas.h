@@ -436,8 +436,10 @@ int uhas_observer_observe_f(uhas_observer* observer, const float* q, size_t q_si
 
 /* How far the solve of the action found stays from the posture that was asked for, over the independent joints. */
 typedef struct uhas_encode_report {
-  double residual_max; /* the worst joint: rad; of sliding joints sphere radii */
-  double residual_rms; /* root of the mean square, the same units */
+  double residual_max;       /* the worst joint: rad; of sliding joints sphere radii */
+  double residual_rms;       /* root of the mean square, the same units */
+  double finger_residual[5]; /* [finger] in the profile's order, its worst joint, the same units */
+  int finger_joint[5];       /* [finger] which joint that is; -1 of a finger that the hand does not have */
 } uhas_encode_report;
 
 typedef struct uhas_encoder uhas_encoder;
@@ -448,8 +450,8 @@ int uhas_encoder_create(const uhas_profile* profile, const uhas_solve_options* o
 void uhas_encoder_free(uhas_encoder* encoder);
 
 /* The actions whose solves come nearest to postures, one after the other. A finger has more joints than an action has
- * numbers for it, so most postures are met only nearly: read the reports. What a solve gave comes back, but for a few
- * in a thousand; by the rule contact, one in a hundred.
+ * numbers for it, so most postures are met only nearly: read the reports. What a solve gave comes back within 0.01 rad
+ * in 99 of 100 cases; by the reading field and the closing hard less often, in 84 or more.
  *
  * q          [N][joint count] rad, m; beyond a limit it is encoded as the limit; elements of followers are not read
  * actions    [N][5 + 5 V] out: rad and sphere radii, within bounds, not normalised, at the default driving-vector

@@ -14,8 +14,8 @@ struct Encoder<Real>::Model : EncoderModel {
 };
 
 template <class Real>
-struct Encoder<Real>::Scratch : Encoding<Real> {
-  using Encoding<Real>::Encoding;
+struct Encoder<Real>::Scratch : Encoding {
+  using Encoding::Encoding;
 };
 
 template <class Real>
@@ -26,10 +26,9 @@ Encoder<Real>::Encoder(const HandProfile& profile, const SolveOptions& options, 
   if (options.convention != ActionConvention{})
     throw Error(ErrorCode::invalid_option, "", "convention is not uhas' own, and no other can be encoded",
                 "leave it out");
-  const CascadeSolver<Real> solver(profile, options);  // validates both
-  const CascadeSolver<Real> relaxed_solver(with_wider_limits(profile), options);
-  model_ = std::make_shared<const Model>(profile, options, driving_vectors);
-  scratch_ = std::make_unique<Scratch>(*model_, solver, relaxed_solver);
+  const CascadeSolver<double> solver(profile, options);  // validates both
+  model_ = std::make_shared<const Model>(profile, options, driving_vectors, solver);
+  scratch_ = std::make_unique<Scratch>(*model_, solver);
 }
 
 template <class Real>

@@ -460,6 +460,10 @@ TEST_CASE("encoding and retargeting are those of C++") {
   for (int n = 0; n < 3; ++n) {
     CHECK(reports[n].residual_max == reports_in_cpp[n].residual_max);
     CHECK(reports[n].residual_rms == reports_in_cpp[n].residual_rms);
+    for (int f = 0; f < kSlotCount; ++f) {
+      CHECK(reports[n].finger_residual[f] == reports_in_cpp[n].fingers[f].residual);
+      CHECK(reports[n].finger_joint[f] == reports_in_cpp[n].fingers[f].joint);
+    }
   }
   REQUIRE(uhas_retargeter_retarget(retargeter.get, q.data(), q.size(), q_to.data(), q_to.size(), nullptr, nullptr) ==
           UHAS_OK);

@@ -153,7 +153,7 @@ TEST_CASE("followers are not read, whole turns of a continuous joint too, and va
 TEST_CASE("what cannot be encoded is refused by a status and nothing is written") {
   Encoder<double> encoder(test::small_profile());
   std::vector<double> q(5, 0.1), action(15, 7.0);
-  EncodeReport report{.residual_max = 7, .residual_rms = 7};
+  EncodeReport report{.residual_max = 7, .residual_rms = 7, .fingers = {}};
   const auto refuses = [&](std::span<const double> in, std::span<double> out, Status status) {
     CHECK(encoder.encode(in, out, report) == status);
     CHECK(std::all_of(action.begin(), action.end(), [](double value) { return value == 7.0; }));

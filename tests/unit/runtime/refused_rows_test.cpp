@@ -78,7 +78,8 @@ void check_narrow_calls() {
   // so do the reports
   std::vector<Real> actions(2 * 15), two(q.begin(), q.begin() + 2 * kJoints);
   two[0] = std::numeric_limits<Real>::infinity();
-  EncodeReport reports[2] = {{7, 7}, {7, 7}};
+  EncodeReport reports[2];
+  for (EncodeReport& report : reports) report.residual_max = 7;
   CHECK(encoder.encode_batch(two, actions, reports) == Status::non_finite_input);
   CHECK(reports[0].residual_max == 7);
   CHECK(reports[1].residual_max < 7);

@@ -2,20 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <limits>
 
 #include "uhas/kinematics/finger_groups.hpp"
-#include "uhas/kinematics/forward_kinematics.hpp"
 #include "uhas/kinematics/lateral_lookup.hpp"
 #include "uhas/kinematics/mimics.hpp"
-#include "uhas/runtime/encoding/damped_least_squares.hpp"
 
 namespace uhas {
 namespace {
 
-bool contains(const std::vector<int>& list, int value) {
-  return std::find(list.begin(), list.end(), value) != list.end();
-}
+constexpr int kSamples = 512;
+constexpr int kRowsASide = 4;  // of delta theta, beside that of 0
+
+/// In every displacement starts are as far apart as this, radii: else they end in the same place.
+constexpr double kApart = 0.2;
 
 /// Fingers that share a joint are sought together; in the reading `field` all are, for each point follows two planes.
 std::vector<std::vector<int>> fingers_sought_together(const HandProfile& profile, FieldReading field) {
@@ -48,95 +48,126 @@ std::vector<FingerGroup> compile_groups(const HandProfile& profile, FieldReading
   return groups;
 }
 
-/// Hat functions of V driving vectors at phi_j = pi j / (V + 1): all 0 at the anchored pole, constant beyond the last,
-/// linear between (docs/method.md#driving-planes).
-std::array<double, kMaxDrivingVectors> hats_at(double phi, int vectors) {
-  const double position = std::min(phi * (vectors + 1) / std::numbers::pi, double(vectors));  // j at driving vector j
-  std::array<double, kMaxDrivingVectors> hat{};
-  for (int j = 1; j <= vectors; ++j) hat[j - 1] = std::max(1 - std::abs(position - j), 0.0);
-  return hat;
-}
-
 EncoderFinger compile_finger(const HandProfile& profile, const ProfileFinger& finger, int vectors) {
-  EncoderFinger compiled{.slots = finger.slots, .lateral_table = finger.lateral_table, .points = {}};
-
-  // bounds of its numbers; delta theta stays 0 without a table
+  EncoderFinger compiled{.slots = finger.slots,
+                         .lateral_table = finger.lateral_table,
+                         .joints = independent_joints(profile.tree, finger.joints),
+                         .postures = {}};
   for (int j = 1; j <= vectors; ++j) compiled.lower[j] = -kRadialBound, compiled.upper[j] = kRadialBound;
   if (finger.lateral_table >= 0) {
     const LateralTable& table = profile.lateral_tables[finger.lateral_table];
     compiled.lower[0] = table.delta_theta_lower, compiled.upper[0] = table.delta_theta_upper;
   }
-
-  // weighted points on its links
-  for (const Correspondence& c : profile.correspondences) {
-    const ProfileLink& link = profile.links[c.link];
-    if (c.weight <= 0 || !contains(finger.joints, link.joint)) continue;
-    compiled.points.push_back({.joint = link.joint,
-                               .p_joint = link.T_joint_link * c.p_link,
-                               .rho = c.rho,
-                               .weight = c.weight,
-                               .hat = hats_at(c.phi, vectors)});
-  }
   return compiled;
+}
+
+/// Element `index` of the van der Corput sequence: ever finer, evenly spread in [0, 1).
+double van_der_corput(int index, int base) {
+  double value = 0, digit = 1.0 / base;
+  for (; index > 0; index /= base, digit /= base) value += digit * (index % base);
+  return value;
+}
+
+/// From [0, 1) to displacements, denser where points fade: there a posture changes most.
+double displacement_at(double share) {
+  constexpr std::array<double, 4> shares{0, 0.2, 0.5, 1}, displacements{-kRadialBound, -1.05, -0.45, kRadialBound};
+  int k = 0;
+  while (share > shares[k + 1]) ++k;
+  return std::lerp(displacements[k], displacements[k + 1], (share - shares[k]) / (shares[k + 1] - shares[k]));
+}
+
+/// The undeformed sphere, then Halton's points.
+std::vector<FingerAction> sample_displacements(int vectors) {
+  constexpr std::array<int, kMaxDrivingVectors> primes{2, 3, 5, 7};
+  std::vector<FingerAction> samples(kSamples);
+  for (int n = 1; n < kSamples; ++n)
+    for (int j = 0; j < vectors; ++j) samples[n][1 + j] = displacement_at(van_der_corput(n, primes[j]));
+  return samples;
+}
+
+/// Steps of delta theta from 0, to both bounds.
+double rows_away(const EncoderFinger& finger, double delta_theta) {
+  const double bound = delta_theta < 0 ? finger.lower[0] : finger.upper[0];
+  return bound == 0 ? 0 : std::copysign(kRowsASide * delta_theta / bound, delta_theta);
 }
 
 }  // namespace
 
-EncoderModel::EncoderModel(const HandProfile& profile, const SolveOptions& options, int vectors)
+EncoderModel::EncoderModel(const HandProfile& profile, const SolveOptions& options, int vectors,
+                           const CascadeSolver<double>& solver)
     : driving_vectors(vectors),
-      radius(profile.radius),
-      center_palm(profile.T_palm_sphere.translation),
       tree(profile.tree),
       lateral_tables(profile.lateral_tables),
-      groups(compile_groups(profile, options.field, vectors)) {
-  for (const Joint& joint : tree.joints) unit.push_back(joint.kind == JointKind::prismatic ? radius : 1.0);
+      groups(compile_groups(profile, options.field, vectors)),
+      samples(sample_displacements(vectors)) {
+  for (const Joint& joint : tree.joints) unit.push_back(joint.kind == JointKind::prismatic ? profile.radius : 1.0);
   for (const ProfileFinger& finger : profile.fingers) fingers.push_back(compile_finger(profile, finger, vectors));
+  solve_samples(solver);
 }
 
-void EncoderModel::start(std::span<const double> q, std::span<RigidTransformd> T_palm_joint,
-                         std::span<FingerAction> actions) const noexcept {
-  forward_kinematics(tree, q, T_palm_joint);
-  for (std::size_t f = 0; f < fingers.size(); ++f) {
-    const EncoderFinger& finger = fingers[f];
-
-    // delta r: each point should stand at its rest radius plus what the driving vectors add at its polar angle
-    DampedLeastSquares<kMaxDrivingVectors> displacements(driving_vectors);
-    double total_weight = 0;
-    for (const EncoderPoint& point : finger.points) {
-      const double distance = norm(T_palm_joint[point.joint] * point.p_joint - center_palm) / radius;
-      displacements.add(point.hat, distance - point.rho, point.weight);
-      total_weight += point.weight;
+/// all fingers at once, each at its own delta theta of the row
+void EncoderModel::solve_samples(CascadeSolver<double> solver) {
+  std::vector<double> values(kSlotCount * (1 + driving_vectors)), q(tree.joints.size());
+  std::vector<FingerAction> actions(fingers.size());
+  constexpr int rows = 2 * kRowsASide + 1;
+  for (EncoderFinger& finger : fingers)
+    finger.postures.assign(rows, std::vector(finger.joints.size(), std::vector<float>(kSamples)));
+  for (int row = 0; row < rows; ++row) {
+    const double steps = row - kRowsASide;
+    for (int n = 0; n < kSamples; ++n) {
+      for (std::size_t f = 0; f < fingers.size(); ++f) {
+        actions[f] = samples[n];
+        actions[f][0] = std::abs(steps) / kRowsASide * (steps < 0 ? fingers[f].lower[0] : fingers[f].upper[0]);
+      }
+      write_action<double>(actions, values);
+      solver.solve({.values = values, .driving_vectors_phi = {}}, q);
+      for (EncoderFinger& finger : fingers)
+        for (std::size_t i = 0; i < finger.joints.size(); ++i)
+          finger.postures[row][i][n] = static_cast<float>(coordinate_of(finger.joints[i], q[finger.joints[i]]));
     }
-    // the damping decides only where no point feels a driving vector: it stays at rest
-    constexpr double damping = 1e-3;
-    const auto delta_r = displacements.solve(damping * std::max(total_weight, 1.0));
-
-    FingerAction& action = actions[f];
-    action = {};
-    for (int j = 1; j <= driving_vectors; ++j) action[j] = std::clamp(delta_r[j - 1], finger.lower[j], finger.upper[j]);
-
-    // delta theta: where the lateral joint stands in its table
-    if (finger.lateral_table < 0) continue;
-    const LateralTable& table = lateral_tables[finger.lateral_table];
-    action[0] =
-        look_up_delta_theta<double>(table.inverse_q, table.delta_theta_lower, table.delta_theta_upper, q[table.joint]);
   }
 }
 
-HandProfile with_wider_limits(HandProfile profile) {
-  constexpr double widening = 0.7;  // rad, or sphere radii for a sliding joint
-  for (std::size_t i = 0; i < profile.tree.joints.size(); ++i) {
-    if (profile.joint_traits[i].joint_class != JointClass::encompassing) continue;
-    Joint& joint = profile.tree.joints[i];
+/// In residual units. A joint at a limit counts as beyond it: there a descent feels nothing, so it should start at
+/// limits where the posture is at limits, and only there.
+double EncoderModel::coordinate_of(int joint, double q) const noexcept {
+  constexpr double beyond = 0.1, rounding = 1e-6;
+  const Joint& j = tree.joints[joint];
+  const double side = q <= j.lower + rounding ? -1 : q >= j.upper - rounding ? 1 : 0;
+  return q / unit[joint] + side * beyond;
+}
 
-    // a turn gets no more than half of what is left of the circle on either side
-    const double free_arc = std::max(2 * std::numbers::pi - (joint.upper - joint.lower), 0.0);
-    const double wider =
-        joint.kind == JointKind::prismatic ? widening * profile.radius : std::min(widening, free_arc / 2);
-    joint.lower -= wider;
-    joint.upper += wider;
+double EncoderModel::delta_theta_of(const EncoderFinger& finger, std::span<const double> q) const noexcept {
+  if (finger.lateral_table < 0) return 0;
+  const LateralTable& table = lateral_tables[finger.lateral_table];
+  return look_up_delta_theta<double>(table.inverse_q, table.delta_theta_lower, table.delta_theta_upper, q[table.joint]);
+}
+
+SampledStart EncoderModel::start(const EncoderFinger& finger, std::span<const double> q,
+                                 std::span<const FingerAction> taken, std::span<float> distances) const noexcept {
+  const double delta_theta = delta_theta_of(finger, q);
+  const auto& postures = finger.postures[kRowsASide + std::lround(rows_away(finger, delta_theta))];
+
+  // squared
+  std::fill(distances.begin(), distances.end(), 0.0f);
+  for (std::size_t i = 0; i < finger.joints.size(); ++i) {
+    const float sought = static_cast<float>(coordinate_of(finger.joints[i], q[finger.joints[i]]));
+    for (int n = 0; n < kSamples; ++n) distances[n] += (postures[i][n] - sought) * (postures[i][n] - sought);
   }
-  return profile;
+  // none near a start before
+  const auto is_near = [&](const FingerAction& a, const FingerAction& b) {
+    for (int j = 1; j <= driving_vectors; ++j)
+      if (std::abs(a[j] - b[j]) >= kApart) return false;
+    return true;
+  };
+  for (const FingerAction& other : taken)
+    for (int n = 0; n < kSamples; ++n)
+      if (is_near(samples[n], other)) distances[n] = std::numeric_limits<float>::infinity();
+
+  const auto nearest = std::min_element(distances.begin(), distances.end());
+  SampledStart start{samples[nearest - distances.begin()], std::sqrt(double(*nearest))};
+  start.action[0] = delta_theta;
+  return start;
 }
 
 }  // namespace uhas

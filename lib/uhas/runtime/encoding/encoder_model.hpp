@@ -1,4 +1,5 @@
-// The constant half of an encoder, and its linear start: the action read off a posture without solving.
+// The constant half of an encoder: which fingers hang together, the bounds of their numbers, and sampled actions with the
+// postures that they give, from which descents start.
 #pragma once
 
 #include <array>
@@ -26,31 +27,32 @@ struct FingerGroup {
   int displacements = 0;          ///< how many of `unknowns` are displacements
 };
 
-/// A weighted surface point and the share of each driving vector in its displacement.
-struct EncoderPoint {
-  int joint;
-  Vector3d p_joint;  ///< in the joint's moved frame (m)
-  double rho, weight;
-  std::array<double, kMaxDrivingVectors> hat;  ///< [V] interpolation weights at the point's polar angle
+/// A sampled action and how far its posture is from the one that is sought (rad).
+struct SampledStart {
+  FingerAction action;
+  double distance;
 };
 
 struct EncoderFinger {
   std::array<bool, kSlotCount> slots;
   FingerAction lower{}, upper{};  ///< bounds of an action; those of delta theta are 0 without a lateral table
   int lateral_table;              ///< -1 = none
-  std::vector<EncoderPoint> points;
+  std::vector<int> joints;        ///< independent ones
+  /// [row of delta theta][of `joints`][sample] `coordinate_of` the joint in the posture that the sampled action gives
+  std::vector<std::vector<std::vector<float>>> postures;
 };
 
 struct EncoderModel {
-  EncoderModel(const HandProfile& profile, const SolveOptions& options, int vectors);
+  EncoderModel(const HandProfile& profile, const SolveOptions& options, int vectors,
+               const CascadeSolver<double>& solver);
 
-  /// The linear start (docs/method.md#encode-and-retarget): delta theta from the lateral tables, delta r by least squares
-  /// of |p| / r - rho on the hats.
-  /// @param q             [joint] followers where their masters put them
-  /// @param T_palm_joint  [joint] room for the moved frames at `q`
-  /// @param actions       [finger] out
-  void start(std::span<const double> q, std::span<RigidTransformd> T_palm_joint,
-             std::span<FingerAction> actions) const noexcept;
+  /// Where the lateral joint stands in the finger's table, exact for every posture that a solve gives.
+  double delta_theta_of(const EncoderFinger& finger, std::span<const double> q) const noexcept;
+
+  /// The sampled action whose posture comes nearest to `q` [joint], with the delta theta of `q`, away from `taken`.
+  /// @param distances  [sample] room
+  SampledStart start(const EncoderFinger& finger, std::span<const double> q, std::span<const FingerAction> taken,
+                     std::span<float> distances) const noexcept;
 
   /// The action that says `actions` [finger]: the same value in all slots of a finger. `values`: [5 + 5 V].
   template <class Real>
@@ -66,17 +68,16 @@ struct EncoderModel {
   }
 
   int driving_vectors;
-  double radius;
-  Vector3d center_palm;  ///< sphere centre in the palm frame (m)
   KinematicTree tree;
   std::vector<double> unit;  ///< [joint] what a residual counts as 1: 1 rad, or r (m) for a sliding joint
   std::vector<LateralTable> lateral_tables;
-  std::vector<EncoderFinger> fingers;
   std::vector<FingerGroup> groups;
-};
+  std::vector<FingerAction> samples;  ///< displacements; delta theta goes by row
+  std::vector<EncoderFinger> fingers;
 
-/// `profile` with wider limits of the encompassing joints: a joint held at a limit has no derivative, so a descent that
-/// begins there would never find the way back to a posture inside.
-HandProfile with_wider_limits(HandProfile profile);
+ private:
+  double coordinate_of(int joint, double q) const noexcept;
+  void solve_samples(CascadeSolver<double> solver);
+};
 
 }  // namespace uhas

@@ -1,7 +1,6 @@
 #include "uhas/runtime/encoding/encoding.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -15,70 +14,62 @@ namespace {
 
 constexpr int kMaxUnknowns = kSlotCount * (1 + kMaxDrivingVectors);  // five fingers in one group
 
-/// Added to the displacements of the linear start, one start after the other: to those of the first and third
-/// driving vector, and to those of the second and fourth. Closing begins to fade at delta r = -0.5, with zero slope,
-/// so a descent that comes from above does not enter: the second start lies beyond. Neighbours may also fit the
-/// wrong way round.
-struct StartShift {
-  double odd, even;
-};
-constexpr std::array<StartShift, 4> kStarts{{{0.0, 0.0}, {-0.4, -0.4}, {-0.5, 0.5}, {0.5, -0.5}}};
+// errors of a group (rad): at which nothing is left to do, and at which no other start is tried
+constexpr double kSettled = 1e-5, kFound = 5e-4;
 
-// steps of a descent from one start: with the wider limits, then with the hand's own
-constexpr int kRelaxedSteps = 10, kSteps = 30;
+// steps of a descent, uphill ones counted: from a sample, which settles in three or four or else rarely, and at the end
+constexpr int kSteps = 5, kLastSteps = 15;
 
-constexpr double kFirstDamping = 1e-3, kLeastDamping = 1e-9, kMostDamping = 1e3, kDampingFactor = 10;
+// A posture that a solve gives stands nearer to a sample, in 999 of 1,000 fingers; of one that none gives all starts
+// find the same rest.
+constexpr double kFar = 0.35;
+
+constexpr double kFirstDamping = 1e-4, kLeastDamping = 1e-9, kMostDamping = 1e3, kDampingFactor = 10;
 constexpr double kLongestStep = 0.4;  // of an unknown: a hand that has closed feels nothing and would not come back
-constexpr double kSettled = 1e-5;     // error of a group at which its descent ends (rad)
+constexpr double kNudge = 1e-5;       // of an unknown, for its derivatives: half of a double's digits are theirs
 
 }  // namespace
 
-template <class Real>
-Encoding<Real>::Encoding(const EncoderModel& model, const CascadeSolver<Real>& solver,
-                         const CascadeSolver<Real>& relaxed_solver)
+Encoding::Encoding(const EncoderModel& model, const CascadeSolver<double>& solver)
     : solver_(solver),
-      relaxed_solver_(relaxed_solver),
       asked_(model.tree.joints.size()),
       target_(asked_.size()),
-      start_(model.fingers.size()),
-      T_palm_joint_(asked_.size()),
+      starts_(model.fingers.size()),
+      distances_(model.samples.size()),
       values_(kSlotCount * (1 + model.driving_vectors)),
-      best_{start_, std::vector<Real>(asked_.size()), std::vector<double>(model.groups.size())},
+      best_{std::vector<FingerAction>(model.fingers.size()), std::vector<double>(asked_.size()),
+            std::vector<double>(model.groups.size())},
       now_(best_),
       trial_(best_),
-      damping_(model.groups.size()) {
+      descents_(model.groups.size()) {
   std::size_t most = 0;
   for (const FingerGroup& group : model.groups) most = std::max(most, group.unknowns.size());
   derivatives_.assign(most, std::vector<double>(asked_.size()));
+  solve(model);
+  best_.q = trial_.q;  // joints of no finger stay there
 }
 
 template <class Real>
-void Encoding<Real>::run(const EncoderModel& model, std::span<const Real> q) noexcept {
-  // the posture to reach, and the action read off it without solving
-  set_target(model, q);
-  model.start(target_, T_palm_joint_, start_);
-
-  // from one start after the other until every group has settled; each group keeps the best that it has found
+void Encoding::run(const EncoderModel& model, std::span<const Real> q) noexcept {
+  std::copy(q.begin(), q.end(), asked_.begin());
+  set_target(model);
   std::fill(best_.cost.begin(), best_.cost.end(), std::numeric_limits<double>::infinity());
-  for (const StartShift& shift : kStarts) {
-    if (std::all_of(best_.cost.begin(), best_.cost.end(), is_settled)) break;
-    begin(model, shift.odd, shift.even);
-    // first with wide limits, at which no joint of a posture inside is held. Delta theta waits there: that of the table
-    // is exact for every posture that a solve gives
-    descend(model, relaxed_solver_, Freedom::displacements, kRelaxedSteps);
-    descend(model, solver_, Freedom::all, kSteps);
-    for (std::size_t g = 0; g < model.groups.size(); ++g)
-      if (now_.cost[g] < best_.cost[g]) copy_group(model.groups[g], g, now_, best_);
+  for (std::size_t g = 0; g < model.groups.size(); ++g) {
+    descents_[g] = {};
+    begin_at_sample(model, g);
+  }
+  const auto has_ended = [](const Descent& descent) { return descent.next == Next::nothing; };
+  while (!std::all_of(descents_.begin(), descents_.end(), has_ended)) {
+    solve(model);
+    for (std::size_t g = 0; g < model.groups.size(); ++g) proceed(model, g);
   }
 }
 
-/// asked for: any posture, continuous joints within one turn of their middle; the target: what a solve can give of it
-template <class Real>
-void Encoding<Real>::set_target(const EncoderModel& model, std::span<const Real> q) noexcept {
-  for (std::size_t i = 0; i < q.size(); ++i) {
+/// continuous joints within one turn of their middle, all within limits, followers where their masters put them
+void Encoding::set_target(const EncoderModel& model) noexcept {
+  for (std::size_t i = 0; i < asked_.size(); ++i) {
     const Joint& joint = model.tree.joints[i];
     if (joint.mimic_master >= 0) continue;
-    asked_[i] = double(q[i]);
     if (joint.kind == JointKind::continuous) {
       const double middle = (joint.lower + joint.upper) / 2;
       asked_[i] = middle + std::remainder(asked_[i] - middle, 2 * std::numbers::pi);
@@ -88,171 +79,162 @@ void Encoding<Real>::set_target(const EncoderModel& model, std::span<const Real>
   apply_mimics(model.tree, target_);
 }
 
-/// the linear start, displaced; a group that has settled stays
-template <class Real>
-void Encoding<Real>::begin(const EncoderModel& model, double odd_shift, double even_shift) noexcept {
-  for (std::size_t g = 0; g < model.groups.size(); ++g) {
-    for (int f : model.groups[g].fingers) now_.actions[f] = is_settled(best_.cost[g]) ? best_.actions[f] : start_[f];
-    if (is_settled(best_.cost[g])) continue;
-    for (int u = 0; u < model.groups[g].displacements; ++u) {
-      const auto [f, number] = model.groups[g].unknowns[u];
-      const EncoderFinger& finger = model.fingers[f];
-      now_.actions[f][number] = std::clamp(start_[f][number] + (number % 2 == 1 ? odd_shift : even_shift),
-                                           finger.lower[number], finger.upper[number]);
-    }
+/// each finger at its next sample, by the displacements alone: delta theta is exact for what a solve gives
+void Encoding::begin_at_sample(const EncoderModel& model, std::size_t g) noexcept {
+  const FingerGroup& group = model.groups[g];
+  Descent& descent = descents_[g];
+  for (int f : group.fingers) {
+    const SampledStart start =
+        model.start(model.fingers[f], target_, std::span(starts_[f]).first(descent.start), distances_);
+    trial_.actions[f] = starts_[f][descent.start] = start.action;
+    descent.is_far = descent.is_far || start.distance > kFar;
   }
+  begin(descent, kSteps, group.displacements);
 }
 
-/// Levenberg's method: step by step downhill, each group with a damping of its own, all groups with the same solves
-template <class Real>
-void Encoding<Real>::descend(const EncoderModel& model, CascadeSolver<Real>& solver, Freedom freedom,
-                             int steps) noexcept {
-  solve(model, solver, now_);
-  std::fill(damping_.begin(), damping_.end(), kFirstDamping);
-  for (int n = 0; n < steps; ++n) {
-    if (has_ended()) return;
-    differentiate(model, solver, freedom);
-    step(model, freedom);
-    solve(model, solver, trial_);
-    keep_better(model);
-  }
+/// at the best so far, by all numbers: what no solve gives may come nearer
+void Encoding::begin_at_best(const EncoderModel& model, std::size_t g) noexcept {
+  const FingerGroup& group = model.groups[g];
+  for (int f : group.fingers) trial_.actions[f] = best_.actions[f];
+  descents_[g].is_last = true;
+  begin(descents_[g], kLastSteps, static_cast<int>(group.unknowns.size()));
 }
 
-/// the posture of an action, and how far each group is from the target: the sum of its squared errors
-template <class Real>
-void Encoding<Real>::solve(const EncoderModel& model, CascadeSolver<Real>& solver, Attempt& attempt) noexcept {
-  model.write_action<Real>(attempt.actions, values_);
-  solver.solve({.values = values_, .driving_vectors_phi = {}}, attempt.q);
-  for (std::size_t g = 0; g < model.groups.size(); ++g) {
-    attempt.cost[g] = 0;
-    for (int joint : model.groups[g].joints)
-      attempt.cost[g] += error(model, attempt, joint) * error(model, attempt, joint);
-  }
+void Encoding::begin(Descent& descent, int steps, int unknowns) noexcept {
+  descent.next = Next::look;
+  descent.steps_left = steps;
+  descent.unknowns = unknowns;
+  descent.unknown = 0;
+  descent.damping = kFirstDamping;
 }
 
-/// derivatives of every group's joints with respect to its unknowns, as differences of solves: one solve serves the
-/// u-th unknown of all groups
-template <class Real>
-void Encoding<Real>::differentiate(const EncoderModel& model, CascadeSolver<Real>& solver, Freedom freedom) noexcept {
-  // long enough that rounding spoils no more than a third of a difference's digits
-  const double nudge = std::cbrt(double(std::numeric_limits<Real>::epsilon()));
-  for (int u = 0; u < static_cast<int>(derivatives_.size()); ++u) {
-    // every group's u-th unknown a little on, or back where it would pass its bound
-    std::copy(now_.actions.begin(), now_.actions.end(), trial_.actions.begin());
-    bool any = false;
-    for (const FingerGroup& group : model.groups) {
-      if (u >= unknown_count(group, freedom)) continue;
-      const auto [f, number] = group.unknowns[u];
-      double& x = trial_.actions[f][number];
-      x += x + nudge <= model.fingers[f].upper[number] ? nudge : -nudge;
-      any = true;
-    }
-    if (!any) return;
-
-    // what that moves
-    solve(model, solver, trial_);
-    for (const FingerGroup& group : model.groups) {
-      if (u >= unknown_count(group, freedom)) continue;
-      const auto [f, number] = group.unknowns[u];
+/// what a solve has told, and what the next one is to tell
+void Encoding::proceed(const EncoderModel& model, std::size_t g) noexcept {
+  const FingerGroup& group = model.groups[g];
+  Descent& descent = descents_[g];
+  switch (descent.next) {
+    case Next::nothing: return;
+    case Next::difference: {
+      const auto [f, number] = group.unknowns[descent.unknown];
       const double moved = trial_.actions[f][number] - now_.actions[f][number];
       for (int joint : group.joints)
-        derivatives_[u][joint] = (error(model, trial_, joint) - error(model, now_, joint)) / moved;
+        derivatives_[descent.unknown][joint] = (error(model, trial_, joint) - error(model, now_, joint)) / moved;
+      ++descent.unknown;
+      break;
     }
+    case Next::look: copy_group(group, g, trial_, now_); break;
+    case Next::step:
+      // a step downhill is taken and the next one is bolder; a step uphill is forgotten and the next one shorter
+      --descent.steps_left;
+      if (trial_.cost[g] < now_.cost[g]) {
+        copy_group(group, g, trial_, now_);
+        descent.damping = std::max(descent.damping / kDampingFactor, kLeastDamping);
+        descent.unknown = 0;
+      } else {
+        descent.damping *= kDampingFactor;
+      }
+      break;
   }
+  if (now_.cost[g] <= kSettled * kSettled || descent.steps_left == 0 || descent.damping > kMostDamping)
+    end(model, g);
+  else if (descent.unknown < descent.unknowns)
+    difference(model, g);
+  else
+    step(model, g);
 }
 
-/// from `now_` to the action of `trial_`: one damped Gauss-Newton step of every group
+void Encoding::end(const EncoderModel& model, std::size_t g) noexcept {
+  Descent& descent = descents_[g];
+  if (now_.cost[g] < best_.cost[g]) copy_group(model.groups[g], g, now_, best_);
+  const double cost = best_.cost[g];
+  if (cost > kSettled * kSettled && !descent.is_last) {
+    const bool tries_on = cost > kFound * kFound && !descent.is_far && ++descent.start < kStarts;
+    return tries_on ? begin_at_sample(model, g) : begin_at_best(model, g);
+  }
+  // at rest while other groups go on: nothing is solved faster
+  descent.next = Next::nothing;
+  for (int f : model.groups[g].fingers) trial_.actions[f] = {};
+}
+
+/// an unknown a little on, or back where it would pass its bound
+void Encoding::difference(const EncoderModel& model, std::size_t g) noexcept {
+  for (int f : model.groups[g].fingers) trial_.actions[f] = now_.actions[f];
+  const auto [f, number] = model.groups[g].unknowns[descents_[g].unknown];
+  double& x = trial_.actions[f][number];
+  x += x + kNudge <= model.fingers[f].upper[number] ? kNudge : -kNudge;
+  descents_[g].next = Next::difference;
+}
+
+/// one damped Gauss-Newton step:
 ///   min over change of  sum over joints (error + sum over u of derivative_u change_u)^2 + damping |change|^2
-template <class Real>
-void Encoding<Real>::step(const EncoderModel& model, Freedom freedom) noexcept {
-  std::copy(now_.actions.begin(), now_.actions.end(), trial_.actions.begin());
+void Encoding::step(const EncoderModel& model, std::size_t g) noexcept {
+  const FingerGroup& group = model.groups[g];
+  const int unknowns = descents_[g].unknowns;
+
+  // an equation a joint
+  DampedLeastSquares<kMaxUnknowns> equations(unknowns);
+  for (int joint : group.joints) {
+    std::array<double, kMaxUnknowns> row{};
+    for (int u = 0; u < unknowns; ++u) row[u] = derivatives_[u][joint];
+    equations.add(row, -error(model, now_, joint), 1.0);
+  }
+  const auto change = equations.solve(descents_[g].damping);
+
+  // shortened until no unknown goes too far, and held within bounds
+  double longest = kLongestStep;
+  for (int u = 0; u < unknowns; ++u) longest = std::max(longest, std::abs(change[u]));
+  for (int f : group.fingers) trial_.actions[f] = now_.actions[f];
+  for (int u = 0; u < unknowns; ++u) {
+    const auto [f, number] = group.unknowns[u];
+    const EncoderFinger& finger = model.fingers[f];
+    double& x = trial_.actions[f][number];
+    x = std::clamp(x + change[u] * (kLongestStep / longest), finger.lower[number], finger.upper[number]);
+  }
+  descents_[g].next = Next::step;
+}
+
+/// the posture of the trial, and how far each group is from the target
+void Encoding::solve(const EncoderModel& model) noexcept {
+  model.write_action<double>(trial_.actions, values_);
+  solver_.solve({.values = values_, .driving_vectors_phi = {}}, trial_.q);
   for (std::size_t g = 0; g < model.groups.size(); ++g) {
-    const FingerGroup& group = model.groups[g];
-    const int unknowns = unknown_count(group, freedom);
-
-    // an equation a joint
-    DampedLeastSquares<kMaxUnknowns> equations(unknowns);
-    for (int joint : group.joints) {
-      std::array<double, kMaxUnknowns> row{};
-      for (int u = 0; u < unknowns; ++u) row[u] = derivatives_[u][joint];
-      equations.add(row, -error(model, now_, joint), 1.0);
-    }
-    const auto change = equations.solve(damping_[g]);
-
-    // shortened until no unknown goes too far, and held within bounds
-    double longest = kLongestStep;
-    for (double c : change) longest = std::max(longest, std::abs(c));
-    for (int u = 0; u < unknowns; ++u) {
-      const auto [f, number] = group.unknowns[u];
-      const EncoderFinger& finger = model.fingers[f];
-      double& x = trial_.actions[f][number];
-      x = std::clamp(x + change[u] * (kLongestStep / longest), finger.lower[number], finger.upper[number]);
-    }
+    trial_.cost[g] = 0;
+    for (int joint : model.groups[g].joints)
+      trial_.cost[g] += error(model, trial_, joint) * error(model, trial_, joint);
   }
 }
 
-/// a step downhill is taken and the next one is bolder; a step uphill is forgotten and the next one shorter
-template <class Real>
-void Encoding<Real>::keep_better(const EncoderModel& model) noexcept {
-  for (std::size_t g = 0; g < model.groups.size(); ++g) {
-    if (trial_.cost[g] < now_.cost[g]) {
-      copy_group(model.groups[g], g, trial_, now_);
-      damping_[g] = std::max(damping_[g] / kDampingFactor, kLeastDamping);
-    } else {
-      damping_[g] = std::min(damping_[g] * kDampingFactor, kMostDamping);
-    }
-  }
-}
-
-/// every group has settled, or finds nothing better however short its step
-template <class Real>
-bool Encoding<Real>::has_ended() const noexcept {
-  for (std::size_t g = 0; g < damping_.size(); ++g)
-    if (!is_settled(now_.cost[g]) && damping_[g] < kMostDamping) return false;
-  return true;
-}
-
-template <class Real>
-void Encoding<Real>::copy_group(const FingerGroup& group, std::size_t index, const Attempt& from,
-                                Attempt& to) const noexcept {
+void Encoding::copy_group(const FingerGroup& group, std::size_t index, const Attempt& from, Attempt& to) noexcept {
   for (int f : group.fingers) to.actions[f] = from.actions[f];
   for (int joint : group.joints) to.q[joint] = from.q[joint];
   to.cost[index] = from.cost[index];
 }
 
-template <class Real>
-double Encoding<Real>::error(const EncoderModel& model, const Attempt& attempt, int joint) const noexcept {
-  return (double(attempt.q[joint]) - target_[joint]) / model.unit[joint];
-}
-
-template <class Real>
-int Encoding<Real>::unknown_count(const FingerGroup& group, Freedom freedom) noexcept {
-  return freedom == Freedom::displacements ? group.displacements : static_cast<int>(group.unknowns.size());
-}
-
-template <class Real>
-bool Encoding<Real>::is_settled(double cost) noexcept {
-  return cost <= kSettled * kSettled;
+double Encoding::error(const EncoderModel& model, const Attempt& attempt, int joint) const noexcept {
+  return (attempt.q[joint] - target_[joint]) / model.unit[joint];
 }
 
 /// against the posture asked for, not the target: what lies beyond a limit counts
-template <class Real>
-EncodeReport Encoding<Real>::report(const EncoderModel& model) const noexcept {
+EncodeReport Encoding::report(const EncoderModel& model) const noexcept {
+  const auto residual = [&](int joint) { return std::abs(best_.q[joint] - asked_[joint]) / model.unit[joint]; };
   EncodeReport report;
   double sum = 0;
   int count = 0;
-  for (std::size_t i = 0; i < asked_.size(); ++i) {
+  for (int i = 0; i < static_cast<int>(asked_.size()); ++i) {
     if (model.tree.joints[i].mimic_master >= 0) continue;
-    const double e = std::abs(double(best_.q[i]) - asked_[i]) / model.unit[i];
-    report.residual_max = std::max(report.residual_max, e);
-    sum += e * e;
+    report.residual_max = std::max(report.residual_max, residual(i));
+    sum += residual(i) * residual(i);
     ++count;
   }
   report.residual_rms = std::sqrt(sum / count);
+  for (std::size_t f = 0; f < model.fingers.size(); ++f)
+    for (int joint : model.fingers[f].joints)
+      if (report.fingers[f].joint < 0 || residual(joint) > report.fingers[f].residual)
+        report.fingers[f] = {joint, residual(joint)};
   return report;
 }
 
-template class Encoding<float>;
-template class Encoding<double>;
+template void Encoding::run<float>(const EncoderModel&, std::span<const float>) noexcept;
+template void Encoding::run<double>(const EncoderModel&, std::span<const double>) noexcept;
 
 }  // namespace uhas

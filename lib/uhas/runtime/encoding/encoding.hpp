@@ -1,4 +1,4 @@
-// The working half of an encoder: the state of one encoding and the steps of its descent.
+// The working half of an encoder: the state of one encoding and the steps of its descents.
 #pragma once
 
 #include <span>
@@ -9,19 +9,19 @@
 
 namespace uhas {
 
-/// Levenberg's method with the solver itself, a group of fingers at a time but all groups in step: they do
-/// not touch each other, so that one solve of the hand serves every group. Everything is sized once; running
-/// it allocates nothing.
-template <class Real>
+/// Levenberg's method with the solver itself, on one group of fingers beside the other: they do not touch each other, so
+/// that one solve of the hand takes each group a step on its own way. Everything is sized once; running it allocates
+/// nothing.
 class Encoding {
  public:
-  /// @param relaxed_solver  solves the hand `with_wider_limits`
-  Encoding(const EncoderModel& model, const CascadeSolver<Real>& solver, const CascadeSolver<Real>& relaxed_solver);
+  Encoding(const EncoderModel& model, const CascadeSolver<double>& solver);
 
   /// Finds the action for `q` [joint].
+  template <class Real>
   void run(const EncoderModel& model, std::span<const Real> q) noexcept;
 
   /// The action found. `action`: [5 + 5 V].
+  template <class Real>
   void write_action(const EncoderModel& model, std::span<Real> action) const noexcept {
     model.write_action(best_.actions, action);
   }
@@ -30,40 +30,51 @@ class Encoding {
   EncodeReport report(const EncoderModel& model) const noexcept;
 
  private:
-  /// An action and what a solver makes of it.
+  /// An action and what the solver makes of it.
   struct Attempt {
     std::vector<FingerAction> actions;  // [finger]
-    std::vector<Real> q;                // [joint]
+    std::vector<double> q;              // [joint]
     std::vector<double> cost;           // [group] sum of squared errors
   };
-  enum class Freedom { displacements, all };  // which unknowns a descent moves
 
-  void set_target(const EncoderModel& model, std::span<const Real> q) noexcept;
-  void begin(const EncoderModel& model, double odd_shift, double even_shift) noexcept;
-  void descend(const EncoderModel& model, CascadeSolver<Real>& solver, Freedom freedom, int steps) noexcept;
-  void solve(const EncoderModel& model, CascadeSolver<Real>& solver, Attempt& attempt) noexcept;
-  void differentiate(const EncoderModel& model, CascadeSolver<Real>& solver, Freedom freedom) noexcept;
-  void step(const EncoderModel& model, Freedom freedom) noexcept;
-  void keep_better(const EncoderModel& model) noexcept;
-  bool has_ended() const noexcept;
-  void copy_group(const FingerGroup& group, std::size_t index, const Attempt& from, Attempt& to) const noexcept;
+  /// What the next solve is to a group.
+  enum class Next { look, difference, step, nothing };
+
+  /// Where a group is on its way.
+  struct Descent {
+    Next next;
+    int start;     // number of the sample that it has come from
+    bool is_far;   // from every sample
+    bool is_last;  // from the best that was found
+    int steps_left;
+    int unknowns;  // that it moves
+    int unknown;   // whose derivatives the next solve tells
+    double damping;
+  };
+
+  static constexpr int kStarts = 12;
+
+  void set_target(const EncoderModel& model) noexcept;
+  void begin_at_sample(const EncoderModel& model, std::size_t g) noexcept;
+  void begin_at_best(const EncoderModel& model, std::size_t g) noexcept;
+  static void begin(Descent& descent, int steps, int unknowns) noexcept;
+  void proceed(const EncoderModel& model, std::size_t g) noexcept;
+  void end(const EncoderModel& model, std::size_t g) noexcept;
+  void difference(const EncoderModel& model, std::size_t g) noexcept;
+  void step(const EncoderModel& model, std::size_t g) noexcept;
+  void solve(const EncoderModel& model) noexcept;
   double error(const EncoderModel& model, const Attempt& attempt, int joint) const noexcept;
+  static void copy_group(const FingerGroup& group, std::size_t index, const Attempt& from, Attempt& to) noexcept;
 
-  static int unknown_count(const FingerGroup& group, Freedom freedom) noexcept;
-  static bool is_settled(double cost) noexcept;
-
-  CascadeSolver<Real> solver_, relaxed_solver_;
-  std::vector<double> asked_;                  // [joint] the posture to encode; continuous joints within their range
-  std::vector<double> target_;                 // [joint] the same within limits, followers where their masters put them
-  std::vector<FingerAction> start_;            // [finger] the linear start
-  std::vector<RigidTransformd> T_palm_joint_;  // [joint]
-  std::vector<Real> values_;                   // [5 + 5 V] the action being solved
-  Attempt best_, now_, trial_;                 // of all starts; of this descent; of this step
-  std::vector<double> damping_;                // [group]
-  std::vector<std::vector<double>> derivatives_;  // [unknown of a group][joint] radii or rad a unit
+  CascadeSolver<double> solver_;
+  std::vector<double> asked_;                              // [joint] the posture to encode, as it was given
+  std::vector<double> target_;                             // [joint] what a solve can give of it
+  std::vector<std::array<FingerAction, kStarts>> starts_;  // [finger]
+  std::vector<float> distances_;                           // [sample]
+  std::vector<double> values_;                             // [5 + 5 V] the action being solved
+  Attempt best_, now_, trial_;                             // of all descents; of this one; of the next solve
+  std::vector<Descent> descents_;                          // [group]
+  std::vector<std::vector<double>> derivatives_;           // [unknown of a group][joint] radii or rad a unit
 };
-
-extern template class Encoding<float>;
-extern template class Encoding<double>;
 
 }  // namespace uhas

@@ -160,13 +160,7 @@ class AffineSums {
 /// Calls `use` with the AffineSums of the input's driving vectors: their number is a constant there.
 template <bool Spread, class Num, class Use>
 void with_affine_sums(const AffineBundle<LaneReal<Num>>& bundle, const WalkInput<Num>& in, const Use& use) {
-  static_assert(kMaxDrivingVectors == 4);
-  switch (in.vectors) {
-    case 1: return use(AffineSums<1, Num, Spread>(bundle, in));
-    case 2: return use(AffineSums<2, Num, Spread>(bundle, in));
-    case 3: return use(AffineSums<3, Num, Spread>(bundle, in));
-    default: return use(AffineSums<4, Num, Spread>(bundle, in));
-  }
+  with_constant(in.vectors, [&](auto vectors) { use(AffineSums<vectors, Num, Spread>(bundle, in)); });
 }
 
 /// A fitted joint's value, and where it was held at a limit.

@@ -45,26 +45,30 @@ template <class Num, class PointAt>
 PointMoments<Num> visit_points(std::size_t count, const PointAt& point_at, const RadialProfile<Num>& profile,
                                CascadeClosing closing) {
   PointMoments<Num> moments;
-  // in two rounds a block of points: registers do not hold all the sums at once
+  // in three rounds a block of points: registers do not hold all the sums at once
   constexpr std::size_t block = 32;
+  std::array<Num, block> shares, targets;
   for (std::size_t first = 0; first < count; first += block) {
     const std::size_t length = std::min(block, count - first);
-    std::array<Num, block> targets;
+    // what is left of a point at its polar angle; its target goes out along the direction, not behind the centre
+    with_constant(profile.vectors, [&](auto vectors) {
+      for (std::size_t k = 0; k < length; ++k) {
+        const PointNumbers<Num> point = point_at(first + k);
+        const auto radial = profile.at(point.phi, vectors);
+        shares[k] = point.weight * open_share<Num>(radial, closing);
+        targets[k] = shares[k] * max(point.rho + radial.delta_r, Num(0));
+      }
+    });
+    // W, P and T of docs/method.md#moments
     for (std::size_t k = 0; k < length; ++k) {
       const PointNumbers<Num> point = point_at(first + k);
-      // displacement and share at the point's polar angle
-      const auto radial = profile.at(point.phi);
-      const Num share = point.weight * open_share<Num>(radial, closing);
-      // the target goes out along the direction, not behind the centre
-      targets[k] = share * max(point.rho + radial.delta_r, Num(0));
-      // W, P and T of docs/method.md#moments
-      moments.weight += share;
-      moments.p += share * point.p;
+      moments.weight += shares[k];
+      moments.p += shares[k] * point.p;
       moments.t += targets[k] * point.direction;
     }
+    // M
     for (std::size_t k = 0; k < length; ++k) {
       const PointNumbers<Num> point = point_at(first + k);
-      // M
       const Vector3<Num> target = targets[k] * point.direction;
       moments.pt[0] += target.x * point.p;
       moments.pt[1] += target.y * point.p;

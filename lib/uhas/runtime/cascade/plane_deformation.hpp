@@ -5,6 +5,7 @@
 #include <array>
 #include <numbers>
 #include <span>
+#include <type_traits>
 
 #include "uhas/profile/hand_profile.hpp"
 #include "uhas/runtime/lanes/lanes.hpp"
@@ -25,6 +26,18 @@ Num lead_input(Num delta_r) {
   return d - d * d * d * Num(1 / (3 * bound * bound));
 }
 
+/// Calls `use` with the number of driving vectors as a constant, so that loops over them unroll.
+template <class Use>
+void with_constant(int vectors, const Use& use) {
+  static_assert(kMaxDrivingVectors == 4);
+  switch (vectors) {
+    case 1: return use(std::integral_constant<int, 1>{});
+    case 2: return use(std::integral_constant<int, 2>{});
+    case 3: return use(std::integral_constant<int, 3>{});
+    default: return use(std::integral_constant<int, 4>{});
+  }
+}
+
 /// A displacement over polar angles: linear between driving vectors and constant beyond the last one; before the first
 /// one linear from 0 at the palm pole, or constant too. Nothing is set by default: a solve makes many of these.
 template <class Num>
@@ -39,11 +52,15 @@ struct RadialProfile {
     Num delta_r, past_first;
   };
 
+  At at(Num angle) const { return at(angle, vectors); }
+
   /// Summed from beyond the last vector, so that equal displacements come out exactly equal.
-  At at(Num angle) const {
+  /// @param count  V, or a constant of that value
+  template <class Count>
+  At at(Num angle, Count count) const {
     // from the last vector's displacement back along each slope, as far as the angle lies before its end
-    Num past_first = delta_r[vectors - 1];
-    for (int j = vectors - 1; j > 0; --j) past_first -= slope[j] * (phi[j] - clamp(angle, phi[j - 1], phi[j]));
+    Num past_first = delta_r[count - 1];
+    for (int j = count - 1; j > 0; --j) past_first -= slope[j] * (phi[j] - clamp(angle, phi[j - 1], phi[j]));
     return {past_first - slope[0] * (phi[0] - min(angle, phi[0])), past_first};
   }
 

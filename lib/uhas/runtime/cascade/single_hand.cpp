@@ -99,7 +99,8 @@ void SingleHand<Real>::solve_bundle(std::size_t index, const ActionNumbers<Real>
   if (faded == 0) {
     lanes_.walk_whole(constants, input_, memory);
   } else {
-    lanes_.affine_sums(constants, input_, memory);
+    const unsigned all = (1u << constants.fingers.size()) - 1;
+    if (faded != all) lanes_.affine_sums(constants, input_, memory);
     for (int l = 0; l < static_cast<int>(constants.fingers.size()); ++l)
       if ((faded >> l & 1) != 0) visit_points(bundle, action, l);
     lanes_.walk_sums(constants, input_, memory);

@@ -41,7 +41,6 @@ class UHAS_API DifferentiableSolver {
 
  private:
   struct UHAS_PRIVATE Scratch;
-  CascadeSolver<Real> solver_;
   std::shared_ptr<const SolverModel<Real>> model_;
   std::unique_ptr<Scratch> scratch_;
 };

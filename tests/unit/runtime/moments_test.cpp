@@ -58,7 +58,7 @@ TEST_CASE("the fit of a joint is the sum over its points") {
     cosine += w * dot(orthogonal_part(pair.p, axis), orthogonal_part(t, axis));
     shift += w * dot(axis, t - pair.p);
   }
-  const TurnFit<double> fit = fit_turn(moments, T_S_F);
+  const TurnFit<double> fit = fit_turn(turn_sums(moments), T_S_F);
   CHECK(fit.sine == doctest::Approx(sine).epsilon(1e-12));
   CHECK(fit.cosine == doctest::Approx(cosine).epsilon(1e-12));
   CHECK(fit_shift(moments, T_S_F) == doctest::Approx(shift).epsilon(1e-12));
@@ -70,7 +70,7 @@ TEST_CASE("the angle of the fit minimises the weighted squared distance") {
     const std::vector<Pair> pairs = random_pairs(random);
     PointMoments<double> moments;
     for (const Pair& pair : pairs) moments.add(pair.w, pair.share, pair.p, pair.t);
-    const TurnFit<double> fit = fit_turn(moments, RigidTransformd{});
+    const TurnFit<double> fit = fit_turn(turn_sums(moments), RigidTransformd{});
     const auto cost = [&](double angle) {
       double sum = 0;
       for (const Pair& pair : pairs) {

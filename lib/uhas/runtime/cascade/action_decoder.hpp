@@ -118,8 +118,14 @@ class ActionDecoder {
     return {default_phi_[vectors - 1].data(), std::size_t(vectors)};
   }
 
-  /// What a radius at default driving vector `j` displaces at `kLeadAngles[input]`.
-  Real lead_share(int vectors, int input, int j) const noexcept { return lead_shares_[vectors - 1][input][j]; }
+  /// `PlaneDeformation::lead` of displacements at default driving vectors.
+  /// @param delta_r  [V]
+  template <class Num>
+  Num default_lead(int vectors, int input, const Num* delta_r) const noexcept {
+    Num there(0);
+    for (int j = 0; j < vectors; ++j) there += Num(lead_shares_[vectors - 1][input][j]) * delta_r[j];
+    return lead_input(there);
+  }
 
   /// One deformation a finger. `planes`: [finger].
   template <class Num>
@@ -129,14 +135,25 @@ class ActionDecoder {
 
   template <class Num>
   void decode_finger(const ActionNumbers<Num>& action, int finger, PlaneDeformation<Num>& plane) const noexcept {
-    plane.vectors = action.vectors;
     plane.delta_theta = decode_numbers(action, finger, plane.delta_r.data());
-    plane.common_angles = action.angles == 0 || action.common_phi;
-    if (action.angles == 0)
-      for (int j = 0; j < action.vectors; ++j) plane.phi[j] = Num(default_phi_[action.vectors - 1][j]);
-    else
-      decode_angles(action, finger, plane.phi.data());
-    plane.complete(convention_.held_toward_pole, action.angles == 0);
+    complete(action, finger, plane);
+  }
+
+  /// All that follows from a plane's displacements.
+  template <class Num>
+  void complete(const ActionNumbers<Num>& action, int finger, PlaneDeformation<Num>& plane) const noexcept {
+    if (action.angles != 0) decode_angles(action, finger, plane.phi.data());
+    complete(action.vectors, action.angles == 0, action.common_phi, plane);
+  }
+
+  /// The same, its polar angles set unless they are the default ones.
+  template <class Num>
+  void complete(int vectors, bool default_angles, bool common_phi, PlaneDeformation<Num>& plane) const noexcept {
+    plane.vectors = vectors;
+    plane.common_angles = default_angles || common_phi;
+    if (default_angles)
+      for (int j = 0; j < vectors; ++j) plane.phi[j] = Num(default_phi_[vectors - 1][j]);
+    plane.complete(convention_.held_toward_pole, default_angles);
   }
 
   /// [V] polar angles (rad) of a finger's driving vectors, of an action that places them: the means over its slots.

@@ -76,27 +76,6 @@ Num diamond_angle(Num y, Num x) {
   return select(x < Num(0), select(y < Num(0), Num(-2), Num(2)) - part, part);
 }
 
-/// What a joint's fit needs of the points that it carries: h; P and the rows of M across its axis.
-template <class Num>
-struct TurnSums {
-  Num hold, p_x, p_y;
-  Vector3<Num> row_x, row_y;
-};
-
-/// Calls `use` on each, in the order above.
-template <class Sums, class Use>
-void each_number(Sums& sums, Use use) {
-  use(sums.hold), use(sums.p_x), use(sums.p_y);
-  use(sums.row_x.x), use(sums.row_x.y), use(sums.row_x.z);
-  use(sums.row_y.x), use(sums.row_y.y), use(sums.row_y.z);
-}
-
-template <class Num>
-TurnSums<Num> turn_sums(const PointMoments<Num>& moments) {
-  const Vector3<Num> p = moments.p, x = moments.pt[0], y = moments.pt[1], z = moments.pt[2];
-  return {hold_of(p.x, p.y, moments.weight), p.x, p.y, {x.x, y.x, z.x}, {x.y, y.y, z.y}};
-}
-
 /// The sums of whole fingers, constants and what is affine in the displacements, step by step in their order.
 template <int V, class Num, bool Spread>
 class AffineSums {
@@ -173,13 +152,11 @@ struct WalkFit {
 /// The fit of docs/method.md#one-joint, seen from the joint's start, and `T`, its frame there, turned by it.
 /// @param closed  where no weight is left: the joint stays
 template <class Num, bool Spread>
-WalkFit<Num> fit_turn(const TurnSums<Num>& sums, const std::array<Num, kLeadInputs>& leads, MaskOf<Num> closed,
-                      NumberReader<Num, Spread>& constants, RigidTransform<Num>& T) {
-  // targets in the joint's frame: along the present direction, and across it
-  const Vector3<Num> x = T.rotation.column(0), y = T.rotation.column(1), o = T.translation;
-  const Vector3<Num> row_x = sums.row_x - sums.p_x * o, row_y = sums.row_y - sums.p_y * o;
-  const Num along = max(dot(row_x, x) + dot(row_y, y), Num(0)) + sums.hold;
-  const Num across = dot(row_x, y) - dot(row_y, x);
+WalkFit<Num> fit_joint(const TurnSums<Num>& sums, const std::array<Num, kLeadInputs>& leads, MaskOf<Num> closed,
+                       NumberReader<Num, Spread>& constants, RigidTransform<Num>& T) {
+  // the joint stands at its start: along its present direction, and across it
+  const TurnFit<Num> fit = fit_turn(sums, T);
+  const Num along = max(fit.cosine, Num(0)) + sums.hold, across = fit.sine;
 
   // turned on by the lead
   Num lead(0);
@@ -209,7 +186,7 @@ void walk(const AffineBundle<LaneReal<Num>>& bundle, const WalkInput<Num>& in, S
           const ClosedAt& closed_at, const Place& place) noexcept {
   NumberReader<Num, Spread> constants(bundle.constants.data());
   const auto fit = [&](int step, RigidTransform<Num>& T) {
-    const WalkFit<Num> fitted = fit_turn(sums_of(step), in.leads, closed_at(step), constants, T);
+    const WalkFit<Num> fitted = fit_joint(sums_of(step), in.leads, closed_at(step), constants, T);
     place(step, fitted.q, fitted.at_limit);
   };
 

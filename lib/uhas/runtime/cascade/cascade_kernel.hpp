@@ -247,9 +247,9 @@ typename Cascade<Num, Visit>::Fit Cascade<Num, Visit>::fit_single(const Model& m
 
   // what the sums pull along the present angle (A) and across it (B); a pull backward, by more than a quarter turn, is
   // left out, or a target that passes behind the joint would throw it from one limit to the other
-  const TurnFit<Num> fit = fit_turn(moments, F);
-  const Num along = max(fit.cosine * present.cosine + fit.sine * present.sine, zero) +
-                    hold_of(moments.p.x, moments.p.y, moments.weight);
+  const TurnSums<Num> sums = turn_sums(moments);
+  const TurnFit<Num> fit = fit_turn(sums, F);
+  const Num along = max(fit.cosine * present.cosine + fit.sine * present.sine, zero) + sums.hold;
   const Num across = fit.sine * present.cosine - fit.cosine * present.sine;
 
   // in the first pass the lead turns (A, B) on, to first order, for the joints further out (docs/method.md#lead)

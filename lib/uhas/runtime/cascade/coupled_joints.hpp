@@ -64,7 +64,7 @@ typename Cascade<Num, Visit>::Descent Cascade<Num, Visit>::descent(const Model& 
       sum.slope += rate(i) * fit_shift(moments, T_S_moved);
       sum.bend -= rate(i) * rate(i) * moments.weight;
     } else {
-      const TurnFit<Num> fit = fit_turn(moments, T_S_moved);
+      const TurnFit<Num> fit = fit_turn(turn_sums(moments), T_S_moved);
       sum.slope += rate(i) * fit.sine;
       sum.bend -= rate(i) * rate(i) * fit.cosine;
     }

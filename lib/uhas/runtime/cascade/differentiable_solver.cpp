@@ -1,11 +1,10 @@
 #include "uhas/runtime/differentiable_solver.hpp"
 
 #include <algorithm>
-#include <vector>
 
-#include "uhas/runtime/cascade/affine_walk.hpp"
-#include "uhas/runtime/cascade/cascade_kernel.hpp"
+#include "uhas/runtime/cascade/single_hand.hpp"
 #include "uhas/runtime/lanes/dual.hpp"
+#include "uhas/runtime/lanes/hand_walk.hpp"
 
 namespace uhas {
 namespace {
@@ -30,19 +29,14 @@ struct DifferentiableSolver<Real>::Scratch {
   static constexpr int kInputs = Num::kInputs;
 
   explicit Scratch(const SolverModel<Real>& solver_model)
-      : model(&solver_model), bundles(bundle_fingers(solver_model, 1)), cascade(solver_model) {
-    std::vector<bool> alone(model->parts.size());
-    for (const AffineBundle<Real>& bundle : bundles) alone[bundle.fingers.front().part] = true;
-    for (int n = 0; n < static_cast<int>(alone.size()); ++n)
-      if (!alone[n]) other_parts.push_back(n);
-  }
+      : model(&solver_model), hand(solver_model), cascade(solver_model) {}
 
   /// @param jacobian  [joint][numbers of the action] out
   void differentiate(const ActionNumbers<Real>& action, std::span<Real> jacobian) noexcept {
     std::fill(jacobian.begin(), jacobian.end(), Real(0));
     for (int first = 0; first < 1 + action.vectors; first += kInputs) {
-      for (const AffineBundle<Real>& bundle : bundles) walk_finger(bundle, action, first, jacobian);
-      for (int n : other_parts)
+      for (const AffineBundle<Real>& bundle : model->lone_fingers) walk_finger(bundle, action, first, jacobian);
+      for (int n : model->other_parts)
         for (int f : model->parts[n].fingers) run_part(model->parts[n], f, action, first, jacobian);
     }
   }
@@ -70,38 +64,12 @@ struct DifferentiableSolver<Real>::Scratch {
     const AffineFinger<Real>& finger = bundle.fingers.front();
     decode(action, finger.finger, first, true);
     const PlaneDeformation<Num>& plane = cascade.planes[finger.finger];
-    WalkInput<Num> in;
-    in.vectors = plane.vectors;
-    in.delta_r = plane.delta_r;
-    in.leads = plane.lead;
-    in.azimuth = Num(model->azimuth_sign) * plane.delta_theta;
-    in.lateral = finger.lateral < 0 ? Num(0) : look_up_lateral(model->laterals[finger.lateral], plane.delta_theta);
-    const auto place = [&](int step, const Num& q) {
-      if (finger.joints[step] >= 0) add(action, finger.finger, finger.joints[step], q, first, jacobian);
-    };
-    if (action.angles == 0 && plane.lowest >= Num(finger.lowest)) {
-      with_affine_sums<true>(bundle, in, [&](auto sums) {
-        walk<true>(
-            bundle, in, sums, [](int) { return false; }, [&](int step, const Num& q, bool) { place(step, q); });
-      });
-      return;
-    }
-    cascade.carry(*model, model->parts[finger.part]);
-    Num open_share;
-    const auto carried = [&](int step) {
-      return finger.joints[step] < 0 ? PointMoments<Num>{} : cascade.carried(finger.joints[step]);
-    };
-    walk<true>(
-        bundle, in, [&](int step) { return turn_sums(carried(step)); },
-        [&](int step) {
-          const PointMoments<Num> m = carried(step);
-          open_share = share_left(m.weight, m.full_weight, model->options.closing);
-          return open_share <= Num(0);
-        },
-        [&](int step, const Num& q, bool) {
-          const bool closes = step != bundle.before && finger.joints[step] >= 0;
-          place(step, closes ? close_by_share(model->joints[finger.joints[step]], q, open_share) : q);
-        });
+    const WalkInput<Num> in = walk_input(*model, finger, plane);
+    const auto place = [&](int joint, const Num& q) { add(action, finger.finger, joint, q, first, jacobian); };
+    if (action.angles == 0 && plane.lowest >= Num(finger.lowest))
+      walk_whole_finger(bundle, in, place);
+    else
+      walk_faded_finger(*model, bundle, in, cascade, place);
   }
 
   void run_part(const SolverPart& part, int input_finger, const ActionNumbers<Real>& action, int first,
@@ -122,21 +90,20 @@ struct DifferentiableSolver<Real>::Scratch {
   }
 
   const SolverModel<Real>* model;
-  std::vector<AffineBundle<Real>> bundles;  // of one finger each
-  std::vector<int> other_parts;
+  SingleHand<Real> hand;
   Cascade<Num, VisitInTurn> cascade;
 };
 
 template <class Real>
 DifferentiableSolver<Real>::DifferentiableSolver(const HandProfile& profile, const SolveOptions& options)
-    : solver_(profile, options), model_(compile_solver_model<Real>(profile, options)) {
+    : model_(compile_solver_model<Real>(profile, options)) {
   check_differentiable(options);
   scratch_ = std::make_unique<Scratch>(*model_);
 }
 
 template <class Real>
 DifferentiableSolver<Real>::DifferentiableSolver(const DifferentiableSolver& other)
-    : solver_(other.solver_), model_(other.model_), scratch_(std::make_unique<Scratch>(*other.scratch_)) {}
+    : model_(other.model_), scratch_(std::make_unique<Scratch>(*other.scratch_)) {}
 
 template <class Real>
 DifferentiableSolver<Real>& DifferentiableSolver<Real>::operator=(const DifferentiableSolver& other) {
@@ -152,16 +119,19 @@ DifferentiableSolver<Real>::~DifferentiableSolver() = default;
 
 template <class Real>
 int DifferentiableSolver<Real>::joint_count() const noexcept {
-  return solver_.joint_count();
+  return static_cast<int>(model_->joints.size());
 }
 
 template <class Real>
 Status DifferentiableSolver<Real>::solve_with_jacobian(const Action<Real>& action, std::span<Real> q,
                                                        std::span<Real> jacobian) noexcept {
-  if (jacobian.size() != q.size() * action.values.size()) return Status::wrong_size;
-  const Status status = solver_.solve(action, q);
-  if (status == Status::ok) scratch_->differentiate(model_->decoder.numbers_of(action), jacobian);
-  return status;
+  if (q.size() != model_->joints.size() || jacobian.size() != q.size() * action.values.size())
+    return Status::wrong_size;
+  if (const Status status = model_->decoder.check(action); status != Status::ok) return status;
+  const ActionNumbers<Real> numbers = model_->decoder.numbers_of(action);
+  scratch_->hand.solve(numbers, q);
+  scratch_->differentiate(numbers, jacobian);
+  return Status::ok;
 }
 
 template class DifferentiableSolver<float>;

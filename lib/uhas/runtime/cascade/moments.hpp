@@ -90,29 +90,6 @@ struct PointMoments : TargetMoments<Num> {
   }
 };
 
-/// What a turning joint sees of its points, in the joint's frame F before its own motion, whose z is the joint's axis.
-template <class Num>
-struct TurnFit {
-  Num sine{};    ///< D = sum w s z . (p x t)
-  Num cosine{};  ///< C = sum w s (p_x t_x + p_y t_y)
-};
-
-/// Targets go to F by t_F = R^T (t - o), so that sum p t_F^T = (sum p t^T - sum p o^T) R; only the rows and columns
-/// across the axis count.
-/// @param moments  points in F at joint value 0, targets in S
-/// @param T_S_F    F in S
-template <class Num>
-TurnFit<Num> fit_turn(const PointMoments<Num>& moments, const RigidTransform<Num>& T_S_F) {
-  // two rows of M - P o^T
-  const std::array<Vector3<Num>, 3>& pt = moments.pt;
-  const Vector3<Num> o = T_S_F.translation, p = moments.p;
-  const Vector3<Num> row_x = Vector3<Num>{pt[0].x, pt[1].x, pt[2].x} - p.x * o;
-  const Vector3<Num> row_y = Vector3<Num>{pt[0].y, pt[1].y, pt[2].y} - p.y * o;
-  // times the x and y of F: D = M_12 - M_21, C = M_11 + M_22
-  const Vector3<Num> x = T_S_F.rotation.column(0), y = T_S_F.rotation.column(1);
-  return {.sine = dot(row_x, y) - dot(row_y, x), .cosine = dot(row_x, x) + dot(row_y, y)};
-}
-
 /// Share of the points' own weight that holds a joint at its present value (docs/method.md#hold).
 inline constexpr double kHold = 0.5;
 
@@ -123,6 +100,39 @@ template <class Num>
 Num hold_of(Num p_x, Num p_y, Num weight) {
   const Num least(LaneReal<Num>(1e-15f));
   return Num(LaneReal<Num>(kHold)) * (p_x * p_x + p_y * p_y) / (weight + least * least) + least;
+}
+
+/// What a turning joint needs of the points that it carries: h; P and the rows of M across its axis.
+template <class Num>
+struct TurnSums {
+  Num hold, p_x, p_y;
+  Vector3<Num> row_x, row_y;
+};
+
+template <class Num>
+TurnSums<Num> turn_sums(const PointMoments<Num>& moments) {
+  const Vector3<Num> p = moments.p, x = moments.pt[0], y = moments.pt[1], z = moments.pt[2];
+  return {hold_of(p.x, p.y, moments.weight), p.x, p.y, {x.x, y.x, z.x}, {x.y, y.y, z.y}};
+}
+
+/// What it sees of them in its frame F before its own motion, whose z is its axis.
+template <class Num>
+struct TurnFit {
+  Num sine{};    ///< D = sum w s z . (p x t)
+  Num cosine{};  ///< C = sum w s (p_x t_x + p_y t_y)
+};
+
+/// Targets go to F by t_F = R^T (t - o), so that sum p t_F^T = (sum p t^T - sum p o^T) R; only the rows and columns
+/// across the axis count.
+/// @param sums   points in F at joint value 0, targets in S
+/// @param T_S_F  F in S
+template <class Num>
+TurnFit<Num> fit_turn(const TurnSums<Num>& sums, const RigidTransform<Num>& T_S_F) {
+  // two rows of M - P o^T
+  const Vector3<Num> o = T_S_F.translation, row_x = sums.row_x - sums.p_x * o, row_y = sums.row_y - sums.p_y * o;
+  // times the x and y of F: D = M_12 - M_21, C = M_11 + M_22
+  const Vector3<Num> x = T_S_F.rotation.column(0), y = T_S_F.rotation.column(1);
+  return {.sine = dot(row_x, y) - dot(row_y, x), .cosine = dot(row_x, x) + dot(row_y, y)};
 }
 
 /// What a sliding joint sees of them: sum w s z . (t - p).

@@ -39,14 +39,8 @@ SingleHand<Real>::SingleHand(const SolverModel<Real>& model)
       bundles_(std::make_shared<const std::vector<Bundle>>(make_bundles(model, lanes_.width))),
       cascade_(model, lanes_.visit),
       faded_(bundles_->size()) {
-  std::vector<bool> bundled(model.parts.size());
   std::size_t numbers = 0;
-  for (const Bundle& bundle : *bundles_) {
-    numbers = bundle.first + bundle.constants.steps() * lanes_.width;
-    for (const AffineFinger<Real>& finger : bundle.constants.fingers) bundled[finger.part] = true;
-  }
-  for (int n = 0; n < static_cast<int>(bundled.size()); ++n)
-    if (!bundled[n]) other_parts_.push_back(n);
+  for (const Bundle& bundle : *bundles_) numbers = bundle.first + bundle.constants.steps() * lanes_.width;
   q_.resize(numbers), at_limit_.resize(numbers), open_share_.resize(numbers), sums_.resize(kTurnSums * numbers);
 }
 
@@ -70,7 +64,7 @@ std::vector<typename SingleHand<Real>::Bundle> SingleHand<Real>::make_bundles(co
 template <class Real>
 void SingleHand<Real>::solve(const ActionNumbers<Real>& action, std::span<Real> q) noexcept {
   for (std::size_t n = 0; n < bundles_->size(); ++n) solve_bundle(n, action, q);
-  if (!other_parts_.empty()) solve_others(action, q);
+  if (!model_->other_parts.empty()) solve_others(action, q);
 }
 
 template <class Real>
@@ -78,7 +72,7 @@ void SingleHand<Real>::solve_others(const ActionNumbers<Real>& action, std::span
   // numbers to the deformation of each finger's plane, deformations to joint values, out in the profile's units
   model_->decoder.decode(action, cascade_.planes.data());
   cascade_.begin(*model_);
-  for (int n : other_parts_) {
+  for (int n : model_->other_parts) {
     cascade_.run(*model_, model_->parts[n]);
     for (const ScopedJoint& s : model_->parts[n].tree)
       q[s.joint] = model_->joints[s.joint].in_profile_units(cascade_.q(s.joint));
@@ -138,11 +132,8 @@ bool SingleHand<Real>::decode_finger(const AffineFinger<Real>& finger, const Act
     input_.delta_r[j][lane] = delta_r[j];
     lowest = min(lowest, delta_r[j]);
   }
-  for (int u = 0; u < kLeadInputs; ++u) {
-    Real there = 0;
-    for (int j = 0; j < action.vectors; ++j) there += model_->decoder.lead_share(action.vectors, u, j) * delta_r[j];
-    input_.leads[u][lane] = lead_input(there);
-  }
+  for (int u = 0; u < kLeadInputs; ++u)
+    input_.leads[u][lane] = model_->decoder.default_lead(action.vectors, u, delta_r.data());
   return action.angles == 0 && lowest >= finger.lowest;
 }
 
@@ -151,11 +142,13 @@ template <class Real>
 void SingleHand<Real>::visit_points(const Bundle& bundle, const ActionNumbers<Real>& action, int lane) noexcept {
   const AffineFinger<Real>& finger = bundle.constants.fingers[lane];
   PlaneDeformation<Real>& plane = cascade_.planes[finger.finger];
-  model_->decoder.decode_finger(action, finger.finger, plane);
+  plane.delta_theta = model_->azimuth_sign * input_.azimuth[lane];
+  for (int j = 0; j < action.vectors; ++j) plane.delta_r[j] = input_.delta_r[j][lane];
+  model_->decoder.complete(action, finger.finger, plane);
   for (int u = 0; u < kLeadInputs; ++u) input_.leads[u][lane] = plane.lead[u];
   cascade_.carry(*model_, model_->parts[finger.part]);
+  const PointMoments<Real> nothing;
   for (int s = 0; s < bundle.constants.steps(); ++s) {
-    const PointMoments<Real> nothing;
     const PointMoments<Real>& m = finger.joints[s] < 0 ? nothing : cascade_.carried(finger.joints[s]);
     const TurnSums<Real> sums = turn_sums(m);
     each_number(sums, [&, next = &sums_[kTurnSums * (bundle.first + s * lanes_.width) + lane]](Real number) mutable {
@@ -183,7 +176,7 @@ void SingleHand<Real>::report(const ActionNumbers<Real>& action, std::span<const
   for (std::size_t n = 0; n < bundles_->size(); ++n)
     for (const auto& place : (*bundles_)[n].places)
       set(place.joint, at_limit_[(*bundles_)[n].first + place.number] != 0, share_left_at(n, place) <= Real(0));
-  for (int n : other_parts_)
+  for (int n : model_->other_parts)
     for (const ScopedJoint& s : model_->parts[n].tree)
       set(s.joint, cascade_.at_limit(s.joint), cascade_.closed(s.joint));
 }

@@ -51,7 +51,6 @@ class SingleHand {
   const SolverModel<Real>* model_;
   FingerLanes<Real> lanes_;
   std::shared_ptr<const std::vector<Bundle>> bundles_;
-  std::vector<int> other_parts_;  // that no bundle has
   Cascade<Real, Visit> cascade_;
   FingerInput<Real> input_{};                           // of a bundle; lanes without a finger stay at rest
   std::vector<Real> q_, at_limit_, open_share_, sums_;  // of all bundles, as FingerLanes has them

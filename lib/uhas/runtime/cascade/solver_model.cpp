@@ -236,6 +236,16 @@ std::vector<SolverPart> compile_parts(const HandProfile& profile, const std::vec
   return parts;
 }
 
+template <class Real>
+std::vector<int> parts_without(const std::vector<AffineBundle<Real>>& lone_fingers, std::size_t part_count) {
+  std::vector<bool> is_alone(part_count);
+  for (const AffineBundle<Real>& finger : lone_fingers) is_alone[finger.fingers.front().part] = true;
+  std::vector<int> others;
+  for (std::size_t n = 0; n < part_count; ++n)
+    if (!is_alone[n]) others.push_back(static_cast<int>(n));
+  return others;
+}
+
 }  // namespace
 
 template <class Real>
@@ -260,7 +270,7 @@ std::shared_ptr<const SolverModel<Real>> compile_solver_model(const HandProfile&
 
   const FirstPass<Real> first_pass{
       joints, starts, steps, points, passes.front().decay, options.convention.held_toward_pole};
-  return std::make_shared<const SolverModel<Real>>(
+  const auto model = std::make_shared<SolverModel<Real>>(
       SolverModel<Real>{.options = options,
                         .decoder = ActionDecoder<Real>(profile, options.convention),
                         .azimuth_sign = profile.mirrored ? Real(-1) : Real(1),
@@ -276,7 +286,12 @@ std::shared_ptr<const SolverModel<Real>> compile_solver_model(const HandProfile&
                         .points = points,
                         .patches = patches,
                         .patches_of_finger = patches_by_finger(patches, moved, finger_count),
-                        .parts = compile_parts(profile, laterals, steps, moved)});
+                        .parts = compile_parts(profile, laterals, steps, moved),
+                        .lone_fingers = {},
+                        .other_parts = {}});
+  model->lone_fingers = bundle_fingers(*model, 1);
+  model->other_parts = parts_without(model->lone_fingers, model->parts.size());
+  return model;
 }
 
 template std::shared_ptr<const SolverModel<float>> compile_solver_model<float>(const HandProfile&, const SolveOptions&);

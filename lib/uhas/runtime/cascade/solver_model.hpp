@@ -11,6 +11,7 @@
 #include "uhas/kinematics/compiled_joint.hpp"
 #include "uhas/kinematics/joint_travel.hpp"
 #include "uhas/runtime/cascade/action_decoder.hpp"
+#include "uhas/runtime/cascade/affine_pass.hpp"
 #include "uhas/runtime/cascade/plane_groups.hpp"
 #include "uhas/runtime/cascade/surface_patches.hpp"
 #include "uhas/runtime/cascade_solver.hpp"
@@ -125,6 +126,8 @@ struct SolverModel {
   std::vector<SolverPatch<Real>> patches;
   std::vector<std::vector<int>> patches_of_finger;  ///< [finger] indices into `patches`, of those that a step moves
   std::vector<SolverPart> parts;
+  std::vector<AffineBundle<Real>> lone_fingers;  ///< of one finger each: those that have an affine form
+  std::vector<int> other_parts;                  ///< indices into `parts`, of those that have none
 };
 
 /// Throws Error: invalid_profile for a profile that `validate_profile` refuses, invalid_option for passes or numbers of

@@ -5,11 +5,9 @@
 
 #include <vector>
 
-#include "uhas/runtime/cascade/affine_walk.hpp"
-#include "uhas/runtime/cascade/cascade_kernel.hpp"
 #include "uhas/runtime/lanes/cascade_lanes.hpp"
 #include "uhas/runtime/lanes/finger_queue.hpp"
-#include "uhas/runtime/lanes/lateral_lanes.hpp"
+#include "uhas/runtime/lanes/hand_walk.hpp"
 
 namespace uhas {
 
@@ -27,16 +25,7 @@ class CascadeLanesOf {
 
  private:
   explicit CascadeLanesOf(const Model& model)
-      : model_(model),
-        fingers_(bundle_fingers(model, 1)),
-        whole_(fingers_.size()),
-        faded_(fingers_.size()),
-        cascade_(model) {
-    std::vector<bool> alone(model.parts.size());
-    for (const AffineBundle<Real>& finger : fingers_) alone[finger.fingers.front().part] = true;
-    for (int n = 0; n < static_cast<int>(alone.size()); ++n)
-      if (!alone[n]) other_parts_.push_back(n);
-  }
+      : model_(model), whole_(model.lone_fingers.size()), faded_(whole_.size()), cascade_(model) {}
 
   static void* make(const Model& model) { return new CascadeLanesOf(model); }
   static void destroy(void* scratch) { delete static_cast<CascadeLanesOf*>(scratch); }
@@ -67,12 +56,12 @@ class CascadeLanesOf {
                                      .azimuth_offsets = have_offsets ? azimuth_offsets : nullptr,
                                      .radial_bounds = have_bounds ? radial_bounds : nullptr};
     vectors_ = rows.vectors, angles_ = rows.angles, common_phi_ = numbers.common_phi;
-    for (std::size_t n = 0; n < fingers_.size(); ++n) take_finger(n, numbers, rows);
-    if (!other_parts_.empty()) solve_others(numbers, rows);
+    for (std::size_t n = 0; n < whole_.size(); ++n) take_finger(n, numbers, rows);
+    if (!model_.other_parts.empty()) solve_others(numbers, rows);
   }
 
   void take_finger(std::size_t n, const ActionNumbers<Num>& numbers, const ActionRows<Real>& rows) {
-    const Finger& finger = fingers_[n].fingers.front();
+    const Finger& finger = model_.lone_fingers[n].fingers.front();
     Rows hands{};
     hands.count = rows.count;
     hands.delta_theta = model_.decoder.decode_numbers(numbers, finger.finger, hands.delta_r.data());
@@ -93,78 +82,40 @@ class CascadeLanesOf {
 
   /// Those that still wait.
   void finish() {
-    for (std::size_t n = 0; n < fingers_.size(); ++n) {
+    for (std::size_t n = 0; n < whole_.size(); ++n) {
       if (whole_[n].count > 0) walk_whole(n, whole_[n]);
       if (faded_[n].count > 0) walk_faded(n, faded_[n]);
     }
   }
 
-  WalkInput<Num> input_of(const Finger& finger, const Rows& hands) const {
-    WalkInput<Num> in;
-    in.vectors = vectors_;
-    in.delta_r = hands.delta_r;
-    in.azimuth = Num(model_.azimuth_sign) * hands.delta_theta;
-    in.lateral = finger.lateral < 0 ? Num(0) : look_up_lateral(model_.laterals[finger.lateral], hands.delta_theta);
-    return in;
-  }
-
   [[gnu::flatten]] void walk_whole(std::size_t n, Rows& hands) {
-    const Finger& finger = fingers_[n].fingers.front();
-    WalkInput<Num> in = input_of(finger, hands);
-    for (int u = 0; u < kLeadInputs; ++u) {
-      Num there(0);
-      for (int j = 0; j < vectors_; ++j) there += Num(model_.decoder.lead_share(vectors_, u, j)) * in.delta_r[j];
-      in.leads[u] = lead_input(there);
-    }
-    with_affine_sums<true>(fingers_[n], in, [&](auto sums) {
-      walk<true>(
-          fingers_[n], in, sums, [](int) { return MaskOf<Num>(false); },
-          [&](int step, const Num& q, const MaskOf<Num>&) { store_joint(hands, finger.joints[step], q); });
-    });
-    store_others(finger, hands);
-    hands.count = 0;
+    const AffineBundle<Real>& bundle = model_.lone_fingers[n];
+    PlaneDeformation<Num> plane;
+    plane.vectors = vectors_;
+    plane.delta_theta = hands.delta_theta;
+    plane.delta_r = hands.delta_r;
+    for (int u = 0; u < kLeadInputs; ++u)
+      plane.lead[u] = model_.decoder.default_lead(vectors_, u, hands.delta_r.data());
+    walk_whole_finger(bundle, walk_input(model_, bundle.fingers.front(), plane),
+                      [&](int joint, const Num& q) { store_joint(hands, joint, q); });
+    end(bundle.fingers.front(), hands);
   }
 
   [[gnu::flatten]] void walk_faded(std::size_t n, Rows& hands) {
-    const Finger& finger = fingers_[n].fingers.front();
-    PlaneDeformation<Num>& plane = cascade_.planes[finger.finger];
-    static_cast<RadialProfile<Num>&>(plane).delta_r = hands.delta_r;
-    plane.vectors = vectors_;
+    const AffineBundle<Real>& bundle = model_.lone_fingers[n];
+    PlaneDeformation<Num>& plane = cascade_.planes[bundle.fingers.front().finger];
     plane.delta_theta = hands.delta_theta;
-    plane.common_angles = angles_ == 0 || common_phi_;
-    for (int j = 0; j < vectors_; ++j)
-      plane.phi[j] = angles_ == 0 ? Num(model_.decoder.default_angles(vectors_)[j]) : hands.phi[j];
-    plane.complete(model_.options.convention.held_toward_pole, angles_ == 0);
-    WalkInput<Num> in = input_of(finger, hands);
-    in.leads = plane.lead;
-
-    // sums from the points, and at the end each joint goes on to its closed end by what closing has taken
-    cascade_.carry(model_, model_.parts[finger.part]);
-    Num open_share;
-    const auto carried = [&](int step) {
-      const PointMoments<Num> nothing;
-      return finger.joints[step] < 0 ? nothing : cascade_.carried(finger.joints[step]);
-    };
-    walk<true>(
-        fingers_[n], in, [&](int step) { return turn_sums(carried(step)); },
-        [&](int step) {
-          const PointMoments<Num> m = carried(step);
-          open_share = share_left(m.weight, m.full_weight, model_.options.closing);
-          return open_share <= Num(0);
-        },
-        [&](int step, const Num& q, const MaskOf<Num>&) {
-          const int joint = finger.joints[step];
-          if (joint < 0) return;
-          store_joint(hands, joint,
-                      step == fingers_[n].before ? q : close_by_share(model_.joints[joint], q, open_share));
-        });
-    store_others(finger, hands);
-    hands.count = 0;
+    plane.delta_r = hands.delta_r;
+    plane.phi = hands.phi;
+    model_.decoder.complete(vectors_, angles_ == 0, common_phi_, plane);
+    walk_faded_finger(model_, bundle, walk_input(model_, bundle.fingers.front(), plane), cascade_,
+                      [&](int joint, const Num& q) { store_joint(hands, joint, q); });
+    end(bundle.fingers.front(), hands);
   }
 
   void solve_others(const ActionNumbers<Num>& numbers, const ActionRows<Real>& rows) {
     model_.decoder.decode(numbers, cascade_.planes.data());
-    for (int n : other_parts_) {
+    for (int n : model_.other_parts) {
       cascade_.run(model_, model_.parts[n]);
       for (const ScopedJoint& s : model_.parts[n].tree) {
         const Num q = model_.joints[s.joint].in_profile_units(cascade_.q(s.joint));
@@ -175,18 +126,18 @@ class CascadeLanesOf {
 
   /// A turn, which has the same unit everywhere.
   static void store_joint(const Rows& hands, int joint, const Num& q) {
-    if (joint < 0) return;
     for (int l = 0; l < hands.count; ++l) hands.q[l][joint] = lane(q, l);
   }
-  void store_others(const Finger& finger, const Rows& hands) const {
+
+  /// The joints that no step turns; no hand waits from here on.
+  void end(const Finger& finger, Rows& hands) const {
     for (const auto& [joint, value] : finger.others)
       for (int l = 0; l < hands.count; ++l) hands.q[l][joint] = model_.joints[joint].in_profile_units(value);
+    hands.count = 0;
   }
 
   const Model& model_;
-  std::vector<AffineBundle<Real>> fingers_;  // of one finger each
-  std::vector<Rows> whole_, faded_;          // [of fingers_] that wait
-  std::vector<int> other_parts_;
+  std::vector<Rows> whole_, faded_;  // [of the model's lone fingers] that wait
   Cascade<Num, VisitInTurn> cascade_;
   int vectors_ = 0, angles_ = 0;  // of the present batch
   bool common_phi_ = true;

@@ -20,8 +20,16 @@ struct FingerInput {
   Real azimuth[kMostFingerLanes], lateral[kMostFingerLanes];
 };
 
-/// Numbers of a TurnSums: hold, p_x, p_y, row_x, row_y.
+/// Numbers of a TurnSums.
 inline constexpr int kTurnSums = 9;
+
+/// Calls `use` on each, in their order.
+template <class Sums, class Use>
+void each_number(Sums& sums, Use use) {
+  use(sums.hold), use(sums.p_x), use(sums.p_y);
+  use(sums.row_x.x), use(sums.row_x.y), use(sums.row_x.z);
+  use(sums.row_y.x), use(sums.row_y.y), use(sums.row_y.z);
+}
 
 /// The memory of a walk, a number a lane.
 template <class Real>

@@ -28,7 +28,10 @@ Json to_json(const HandMeasurement& hand) {
           {"solver_points", hand.solver_points},
           {"works", works},
           {"peers", peers},
-          {"single_solves", {{"gentle", to_json(hand.gentle_tail)}, {"any", to_json(hand.any_tail)}}},
+          {"single_calls",
+           {{"gentle", to_json(hand.gentle_tail)},
+            {"any", to_json(hand.any_tail)},
+            {"encode, any", to_json(hand.encode_tail)}}},
           {"sizes", sizes}};
 }
 

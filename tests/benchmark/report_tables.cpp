@@ -38,7 +38,7 @@ void print_hand(const HandMeasurement& hand, std::ostream& out) {
                    number(measured.summary.median / hand.median(kForwardKinematics))});
   works.print(out);
 
-  Table tails({{"single solves, timed one by one"},
+  Table tails({{"single calls, timed one by one"},
                {"median, ns", Align::right},
                {"p99", Align::right},
                {"worst", Align::right},
@@ -47,8 +47,9 @@ void print_hand(const HandMeasurement& hand, std::ostream& out) {
     tails.add_row({name, nanoseconds(summary.median), nanoseconds(summary.p99), nanoseconds(summary.worst),
                    number(summary.p99 / summary.median)});
   };
-  add("gentle", hand.gentle_tail.call);
-  add("any", hand.any_tail.call);
+  add("solve, gentle", hand.gentle_tail.call);
+  add("solve, any", hand.any_tail.call);
+  add("encode, any", hand.encode_tail.call);
   add("the clock and the loop", hand.any_tail.clock);
   tails.print(out);
 

@@ -94,6 +94,18 @@ Tail solve_tail(const HandCase& hand, const ActionSet& set, const RuntimeSetting
   return measure_tail(solve, settings.tail_calls, settings.tail_runs);
 }
 
+Tail encode_tail(const HandCase& hand, const ActionSet& set, const RuntimeSettings& settings) {
+  Encoder<double> encoder(hand.profile);
+  std::vector<double> action(encoder.action_size());
+  const std::size_t size = hand.joints();
+  const auto encode = [&](std::size_t call) {
+    EncodeReport report;
+    encoder.encode(std::span(set.q).subspan(call % hand.count * size, size), action, report);
+  };
+  constexpr std::size_t solves_in_an_encode = 20;  // about: as long as the others take
+  return measure_tail(encode, settings.tail_calls / solves_in_an_encode, settings.tail_runs);
+}
+
 }  // namespace
 
 const Summary& HandMeasurement::summary(const std::string& work) const {
@@ -121,6 +133,7 @@ HandMeasurement measure_hand(const HandCase& hand, const RuntimeSettings& settin
   measurement.peers = judge_peers(hand, peers);
   measurement.gentle_tail = solve_tail(hand, hand.gentle, settings);
   measurement.any_tail = solve_tail(hand, hand.any, settings);
+  measurement.encode_tail = encode_tail(hand, hand.any, settings);
   return measurement;
 }
 

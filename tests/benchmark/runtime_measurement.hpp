@@ -40,7 +40,8 @@ struct HandMeasurement {
   std::size_t fingers = 0, joints = 0, independent_joints = 0, stored_points = 0, solver_points = 0;
   std::vector<Measured> works;
   std::vector<PeerAnswers> peers;
-  Tail gentle_tail, any_tail;  ///< of single solves in double
+  Tail gentle_tail, any_tail,
+      encode_tail;  ///< of single solves, and of encoding what the any-range ones gave, in double
   std::vector<ObjectSize> sizes;
 
   /// Of a work, ns a hand. Throws std::out_of_range for one that was not measured.

@@ -19,7 +19,8 @@
 namespace uhas::benchmark {
 namespace {
 
-constexpr std::size_t kSingles = 200;  // single calls in a sample: long against the clock, short against a time slice
+// single calls in a sample, and encodes: long against the clock, short against a time slice
+constexpr std::size_t kSingles = 200, kEncodes = 10;
 
 /// Rows of numbers that works walk through, sample after sample, from the first again at the end.
 template <class Real>
@@ -144,7 +145,7 @@ Work c_work(const HandCase& hand) {
 void add_encoding(std::vector<Work>& works, std::string name, const HandCase& hand, const ActionSet& set) {
   const Rows<double> q(set.q, hand.count);
   works.push_back(
-      singles(std::move(name), 1,
+      singles(std::move(name), kEncodes,
               [=, encoder = Encoder<double>(hand.profile), out = std::vector<double>(15)](std::size_t row) mutable {
                 EncodeReport report;
                 encoder.encode(q[row], out, report);

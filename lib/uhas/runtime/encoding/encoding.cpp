@@ -174,7 +174,7 @@ void Encoding::step(const EncoderModel& model, std::size_t g) noexcept {
   // an equation a joint
   DampedLeastSquares<kMaxUnknowns> equations(unknowns);
   for (int joint : group.joints) {
-    std::array<double, kMaxUnknowns> row{};
+    std::array<double, kMaxUnknowns> row;
     for (int u = 0; u < unknowns; ++u) row[u] = derivatives_[u][joint];
     equations.add(row, -error(model, now_, joint), 1.0);
   }

@@ -184,13 +184,13 @@ void SingleHand<Real>::report(const ActionNumbers<Real>& action, std::span<const
 template <class Real>
 SquaredErrors SingleHand<Real>::squared_errors() const noexcept {
   if (model_->options.field == FieldReading::field) return cascade_.squared_errors(*model_);
+  std::array<SinCos<Real>, kSlotCount> azimuths;  // [finger]
+  for (std::size_t f = 0; f < cascade_.planes.size(); ++f)
+    azimuths[f] = sincos(model_->azimuth_sign * cascade_.planes[f].delta_theta);
   SquaredErrors errors;
-  for (const SolverPatch<Real>& patch : model_->patches) {
-    const PlaneDeformation<Real>& plane = cascade_.planes[patch.finger];
-    const SinCos<Real> azimuth = sincos(model_->azimuth_sign * plane.delta_theta);
-    errors.add(lanes_.squared_errors(patch.columns, plane, model_->options.closing,
-                                     from_turned_axes(cascade_.frame(patch.joint), azimuth)));
-  }
+  for (const SolverPatch<Real>& patch : model_->patches)
+    errors.add(lanes_.squared_errors(patch.columns, cascade_.planes[patch.finger], model_->options.closing,
+                                     from_turned_axes(cascade_.frame(patch.joint), azimuths[patch.finger])));
   return errors;
 }
 

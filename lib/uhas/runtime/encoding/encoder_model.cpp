@@ -164,7 +164,13 @@ SampledStart EncoderModel::start(const EncoderFinger& finger, std::span<const do
     for (int n = 0; n < kSamples; ++n)
       if (is_near(samples[n], other)) distances[n] = std::numeric_limits<float>::infinity();
 
-  const auto nearest = std::min_element(distances.begin(), distances.end());
+  // the least of each eighth first: these are looked at side by side
+  std::array<float, 8> least;
+  least.fill(std::numeric_limits<float>::infinity());
+  static_assert(kSamples % least.size() == 0);
+  for (int n = 0; n < kSamples; n += static_cast<int>(least.size()))
+    for (std::size_t k = 0; k < least.size(); ++k) least[k] = std::min(least[k], distances[n + k]);
+  const auto nearest = std::find(distances.begin(), distances.end(), *std::min_element(least.begin(), least.end()));
   SampledStart start{samples[nearest - distances.begin()], std::sqrt(double(*nearest))};
   start.action[0] = delta_theta;
   return start;

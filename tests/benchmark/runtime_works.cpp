@@ -20,7 +20,7 @@ namespace uhas::benchmark {
 namespace {
 
 // single calls in a sample, and encodes: long against the clock, short against a time slice
-constexpr std::size_t kSingles = 200, kEncodes = 10;
+constexpr std::size_t kSingles = 200, kEncodes = 50;
 
 /// Rows of numbers that works walk through, sample after sample, from the first again at the end.
 template <class Real>

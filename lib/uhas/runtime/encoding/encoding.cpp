@@ -25,6 +25,7 @@ constexpr int kSteps = 5, kLastSteps = 15;
 constexpr double kFar = 0.35;
 
 constexpr double kFirstDamping = 1e-4, kLeastDamping = 1e-9, kMostDamping = 1e3, kDampingFactor = 10;
+constexpr double kTrusted = 0.1;      // of the cost, left by a step after which derivatives need no solves
 constexpr double kLongestStep = 0.4;  // of an unknown: a hand that has closed feels nothing and would not come back
 constexpr double kNudge = 1e-5;       // of an unknown, for its derivatives: half of a double's digits are theirs
 
@@ -127,9 +128,12 @@ void Encoding::proceed(const EncoderModel& model, std::size_t g) noexcept {
       // a step downhill is taken and the next one is bolder; a step uphill is forgotten and the next one shorter
       --descent.steps_left;
       if (trial_.cost[g] < now_.cost[g]) {
+        if (trial_.cost[g] < kTrusted * now_.cost[g])
+          update_derivatives(model, g);
+        else
+          descent.unknown = 0;
         copy_group(group, g, trial_, now_);
         descent.damping = std::max(descent.damping / kDampingFactor, kLeastDamping);
-        descent.unknown = 0;
       } else {
         descent.damping *= kDampingFactor;
       }
@@ -163,6 +167,24 @@ void Encoding::difference(const EncoderModel& model, std::size_t g) noexcept {
   double& x = trial_.actions[f][number];
   x += x + kNudge <= model.fingers[f].upper[number] ? kNudge : -kNudge;
   descents_[g].next = Next::difference;
+}
+
+/// Broyden's update: the least change of the derivatives that tells of the step what the solve has told
+void Encoding::update_derivatives(const EncoderModel& model, std::size_t g) noexcept {
+  const FingerGroup& group = model.groups[g];
+  const int unknowns = descents_[g].unknowns;
+  std::array<double, kMaxUnknowns> moved;
+  double squared = 0;
+  for (int u = 0; u < unknowns; ++u) {
+    const auto [f, number] = group.unknowns[u];
+    moved[u] = trial_.actions[f][number] - now_.actions[f][number];
+    squared += moved[u] * moved[u];
+  }
+  for (int joint : group.joints) {
+    double untold = error(model, trial_, joint) - error(model, now_, joint);
+    for (int u = 0; u < unknowns; ++u) untold -= derivatives_[u][joint] * moved[u];
+    for (int u = 0; u < unknowns; ++u) derivatives_[u][joint] += untold * moved[u] / squared;
+  }
 }
 
 /// one damped Gauss-Newton step:

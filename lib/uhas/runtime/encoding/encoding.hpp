@@ -61,6 +61,7 @@ class Encoding {
   void proceed(const EncoderModel& model, std::size_t g) noexcept;
   void end(const EncoderModel& model, std::size_t g) noexcept;
   void difference(const EncoderModel& model, std::size_t g) noexcept;
+  void update_derivatives(const EncoderModel& model, std::size_t g) noexcept;
   void step(const EncoderModel& model, std::size_t g) noexcept;
   void solve(const EncoderModel& model) noexcept;
   double error(const EncoderModel& model, const Attempt& attempt, int joint) const noexcept;

@@ -27,13 +27,13 @@ ExitCode build(Tool& tool) {
   add_hand_options(tool.options(), input);
   add_lateral_options(tool.options(), input.settings.lateral_tables);
   add_surface_options(tool.options(), input.settings.correspondences);
-  tool.options().add_option("-o,--output", output, "Hand profile to write [<robot name>.h5]")->type_name("FILE");
-  add_write_config_option(tool.options(), config_output);
+  tool.add_output("-o,--output", output, FileKind::profile, "Hand profile to write [<robot name>.h5]");
+  add_write_config_option(tool, config_output);
   tool.parse();
 
   const BuildStages stages = run_stages(tool, input, BuildStage::correspondences);
   const HandProfile profile = make_profile(stages, input.settings);
-  if (output.empty()) output = default_output(profile);
+  if (output.empty()) tool.files().write(output = default_output(profile), FileKind::profile);
   write_hand_config(config_output, stages, input.settings);
   write_profile(profile, output);
 

@@ -24,7 +24,8 @@ struct Options {
   bool markdown = false;
 };
 
-void add_options(CLI::App& app, Options& options) {
+void add_options(Tool& tool, Options& options) {
+  CLI::App& app = tool.options();
   app.description("Scores a hand profile: reach, fit, surface, smoothness, self-collision and time of a solve.");
   app.add_option("profile.h5", options.profiles, "Hand profile; several are shown side by side")
       ->required()
@@ -41,7 +42,7 @@ void add_options(CLI::App& app, Options& options) {
                  "Threads to work on [all processors]; the scores do not depend on it")
       ->check(CLI::Range(1, 1024).description(""))
       ->type_name("N");
-  add_html_option(app, options.html, "Also draw the hands with their scores as a page for any browser, offline");
+  add_html_option(tool, options.html, "Also draw the hands with their scores as a page for any browser, offline");
   app.add_flag("--markdown", options.markdown, "Print the scores of all hands as a Markdown table");
   add_model_options(app, options.model);
 }
@@ -56,7 +57,7 @@ std::string label_of(const std::vector<ProfileFile>& files, const ProfileFile& f
 ExitCode run(Tool& tool) {
   Options options;
   options.evaluation.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  add_options(tool.options(), options);
+  add_options(tool, options);
   tool.parse();
   tool.limits().apply_to(options.model.load);
   if (tool.json() && options.markdown) throw Tool::wrong_usage("--markdown", "cannot be printed as JSON too");

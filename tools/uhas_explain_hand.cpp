@@ -16,7 +16,7 @@ ExitCode explain(Tool& tool) {
   std::string config_output;
   tool.options().description("Tells what is inferred of a robot hand from its URDF, how surely, and why.");
   add_hand_options(tool.options(), input);
-  add_write_config_option(tool.options(), config_output);
+  add_write_config_option(tool, config_output);
   tool.parse();
 
   const BuildStages stages = run_stages(tool, input, BuildStage::classification);

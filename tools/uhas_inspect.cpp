@@ -30,7 +30,8 @@ struct Options {
   bool findings = false, validate = false, reseal = false;
 };
 
-void add_options(CLI::App& app, Options& options) {
+void add_options(Tool& tool, Options& options) {
+  CLI::App& app = tool.options();
   app.description("Shows what a hand profile says: palm, sphere, fingers, joints and poses.");
   app.add_option("profile.h5", options.profiles, "Hand profile; several with --html")
       ->required()
@@ -43,7 +44,7 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--check", options.checked_urdf,
                  "Check instead that the profile was built from this URDF and its meshes; exit 1 when not")
       ->type_name("hand.urdf");
-  add_picture_options(app, options.pictures);
+  add_picture_options(tool, options.pictures);
   add_model_options(app, options.model);
   app.add_flag("--reseal", options.reseal, "Make a profile that was edited with an HDF5 tool readable again");
 }
@@ -85,7 +86,7 @@ void check_usage(const Options& options) {
 
 ExitCode run(Tool& tool) {
   Options options;
-  add_options(tool.options(), options);
+  add_options(tool, options);
   tool.parse();
   tool.limits().apply_to(options.model.load);
   check_usage(options);
@@ -93,6 +94,7 @@ ExitCode run(Tool& tool) {
   std::vector<ProfileFile> files;
   for (const std::string& path : options.profiles) {
     if (options.reseal) {
+      tool.files().rewrite(path);
       reseal_profile(path);
       tool.log("resealed " + path);
     }

@@ -31,7 +31,7 @@ ExitCode run(Tool& tool) {
   add_hand_options(tool.options(), input);
   add_lateral_options(tool.options(), input.settings.lateral_tables);
   add_surface_options(tool.options(), input.settings.correspondences);
-  tool.options().add_option("-o,--output", output, "Also write every point to this file, as JSON")->type_name("FILE");
+  tool.add_output("-o,--output", output, FileKind::surface_points, "Also write every point to this file, as JSON");
   tool.parse();
 
   const BuildStages stages = run_stages(tool, input, BuildStage::correspondences);

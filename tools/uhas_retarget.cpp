@@ -22,7 +22,8 @@ struct Options {
   int driving_vectors = 2;
 };
 
-void add_options(CLI::App& app, Options& options) {
+void add_options(Tool& tool, Options& options) {
+  CLI::App& app = tool.options();
   app.description("Carries a trajectory of joint values from one hand to another.");
   app.add_option("trajectory", options.trajectory,
                  "Trajectory: .json, .jsonl or .h5; - reads one frame a line (JSON Lines) from standard input")
@@ -30,8 +31,8 @@ void add_options(CLI::App& app, Options& options) {
       ->type_name("FILE");
   app.add_option("--from", options.from, "Profile of the hand that was recorded")->required()->type_name("FILE");
   app.add_option("--to", options.to, "Profile of the hand that is to move so")->required()->type_name("FILE");
-  app.add_option("-o,--output", options.output, "File to write to: .json, .jsonl or .h5 [standard output]")
-      ->type_name("FILE");
+  tool.add_output("-o,--output", options.output, FileKind::trajectory,
+                  "File to write to: .json, .jsonl or .h5 [standard output]");
   app.add_option("--driving-vectors", options.driving_vectors,
                  "Driving vectors in each plane; more follow the first hand more closely [2]")
       ->check(CLI::Range(1, kMaxDrivingVectors).description(""))
@@ -40,7 +41,7 @@ void add_options(CLI::App& app, Options& options) {
 
 /// Two hands and what lies between them.
 struct Retargeting {
-  Retargeting(const Tool& tool, const Options& options)
+  Retargeting(Tool& tool, const Options& options)
       : from(read_profile(tool, options.from)),
         to(read_profile(tool, options.to)),
         retargeter(from, to, {}, options.driving_vectors),
@@ -93,7 +94,7 @@ void print_summary(const Tool& tool, const Retargeting& run) {
             << fixed(TrajectorySummary::kTolerance, 2) << " rad in " << summary.off_manifold << " frames\n";
 }
 
-ExitCode retarget_stream(const Tool& tool, const Options& options) {
+ExitCode retarget_stream(Tool& tool, const Options& options) {
   if (!options.output.empty()) throw Tool::wrong_usage("--output", "a stream of frames goes to standard output");
   Retargeting run(tool, options);
   const std::size_t failed = answer_json_lines(std::cin, std::cout, [&](const Json& value) {
@@ -125,7 +126,7 @@ std::unique_ptr<TrajectoryWriter> make_writer(TrajectoryKind kind, const std::st
   return stream_trajectory(whole ? TrajectoryKind::json : TrajectoryKind::json_lines, std::cout, header);
 }
 
-ExitCode retarget_file(const Tool& tool, const Options& options) {
+ExitCode retarget_file(Tool& tool, const Options& options) {
   const TrajectoryKind kind = kind_of(options.trajectory);
   const TrajectoryKind output_kind = options.output.empty() ? kind : kind_of(options.output);
   Retargeting run(tool, options);
@@ -151,7 +152,7 @@ ExitCode retarget_file(const Tool& tool, const Options& options) {
 
 ExitCode run(Tool& tool) {
   Options options;
-  add_options(tool.options(), options);
+  add_options(tool, options);
   tool.parse();
   return options.trajectory == "-" ? retarget_stream(tool, options) : retarget_file(tool, options);
 }

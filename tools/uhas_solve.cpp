@@ -36,13 +36,14 @@ struct Options {
   }
 };
 
-void add_options(CLI::App& app, Options& options) {
+void add_options(Tool& tool, Options& options) {
+  CLI::App& app = tool.options();
   app.description("Turns actions, deformations of the sphere, into joint angles of a hand.");
   app.add_option("actions.json", options.actions, "Actions; - reads one action a line (JSON Lines) from standard input")
       ->required()
       ->type_name("FILE");
   app.add_option("--profile", options.profile, "Hand profile [the one that the actions file names]")->type_name("FILE");
-  app.add_option("-o,--output", options.output, "File to write the solution to [standard output]")->type_name("FILE");
+  tool.add_output("-o,--output", options.output, FileKind::solution, "File to write the solution to [standard output]");
   std::vector<std::pair<std::string, std::optional<SolveOptions>>> conventions;
   for (const NamedConvention& convention : kConventions) conventions.emplace_back(convention.name, convention.options);
   add_choice(app, "--convention", options.convention, conventions,
@@ -68,15 +69,16 @@ void add_options(CLI::App& app, Options& options) {
                "State with each solution which links come nearest to each other, and how near");
   app.add_flag("--avoid", options.collision.avoid,
                "Scale back actions whose solution has the hand collide with itself");
-  add_html_option(app, options.html, "Draw also the solutions, played on the hand, as a page for any browser, offline");
+  add_html_option(tool, options.html,
+                  "Draw also the solutions, played on the hand, as a page for any browser, offline");
   add_model_options(app, options.model);
 }
 
-ExitCode solve_stream(const Tool& tool, const Options& options) {
+ExitCode solve_stream(Tool& tool, const Options& options) {
   if (options.profile.empty()) throw Tool::wrong_usage("--profile", "needed when actions come from standard input");
   if (!options.output.empty()) throw Tool::wrong_usage("--output", "a stream of solutions goes to standard output");
   if (!options.html.empty()) throw Tool::wrong_usage("--html", "needs a file of actions");
-  SolutionMaker maker({options.profile, read_profile(tool, options.profile)}, options.solve_options(kUhas),
+  SolutionMaker maker(tool, {options.profile, read_profile(tool, options.profile)}, options.solve_options(kUhas),
                       options.joints, options.collision, options.model);
   const std::size_t failed = answer_json_lines(std::cin, std::cout, [&](const Json& value) {
     const std::vector<double> values = action_of(value);
@@ -90,7 +92,7 @@ ExitCode solve_stream(const Tool& tool, const Options& options) {
 }
 
 /// The page of a file of actions. Its sliders know one convention.
-void write_page(const Tool& tool, const Options& options, const ActionsDocument& document, const ProfileFile& file,
+void write_page(Tool& tool, const Options& options, const ActionsDocument& document, const ProfileFile& file,
                 const SolveOptions& solve) {
   if (solve.convention != ActionConvention{})
     throw Tool::wrong_usage("--html", "shows actions of uhas' own convention only");
@@ -101,13 +103,13 @@ void write_page(const Tool& tool, const Options& options, const ActionsDocument&
   tool.log("wrote " + options.html);
 }
 
-ExitCode solve_file(const Tool& tool, const Options& options) {
+ExitCode solve_file(Tool& tool, const Options& options) {
   ActionsDocument document = read_actions(options.actions, tool.limits());
   const std::string profile_path = options.profile.empty() ? document.profile : options.profile;
   if (profile_path.empty())
     throw Tool::wrong_usage("--profile", "needed because " + options.actions + " does not name a hand profile");
   const SolveOptions solve = options.solve_options(document.convention);
-  SolutionMaker maker({profile_path, read_profile(tool, profile_path)}, solve, options.joints, options.collision,
+  SolutionMaker maker(tool, {profile_path, read_profile(tool, profile_path)}, solve, options.joints, options.collision,
                       options.model);
 
   Json solutions = Json::array();
@@ -128,7 +130,7 @@ ExitCode solve_file(const Tool& tool, const Options& options) {
 
 ExitCode run(Tool& tool) {
   Options options;
-  add_options(tool.options(), options);
+  add_options(tool, options);
   tool.parse();
   tool.limits().apply_to(options.model.load);
   if (!options.model.urdfs.empty() && options.html.empty() && !options.collision.report && !options.collision.avoid)

@@ -76,6 +76,8 @@ Json to_json(const std::vector<OptionDescription>& options) {
 
 }  // namespace
 
+bool names_file(const CLI::Option& option) { return kind_of(argument_of(option)) == ArgumentKind::file; }
+
 CommandLine describe_command_line(const CLI::App& app) {
   CommandLine result{.tool = app.get_name(), .text = app.get_description(), .positionals = {}, .options = {}};
   for (const CLI::Option* option : app.get_options())

@@ -26,6 +26,9 @@ struct CommandLine {
   std::vector<OptionDescription> positionals, options;
 };
 
+/// Whether the argument of an option is a file.
+bool names_file(const CLI::Option& option);
+
 /// Of a parser that has all its options.
 CommandLine describe_command_line(const CLI::App& app);
 

@@ -1,5 +1,6 @@
 #include "command_line/tool.hpp"
 
+#include <algorithm>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -39,15 +40,23 @@ std::string description(const CLI::App& app, std::string_view form) {
 Tool::Tool(std::string name, int argc, char** argv)
     : name_(std::move(name)), app_("", name_), argc_(argc), argv_(argv) {}
 
+CLI::Option* Tool::add_output(const std::string& option, std::string& path, FileKind kind,
+                              const std::string& description) {
+  CLI::Option* added = app_.add_option(option, path, description)->type_name("FILE");
+  outputs_.emplace_back(added, kind);
+  return added;
+}
+
 void Tool::parse() {
   // added last, so that --help lists them after the tool's own options
   app_.option_defaults()->group("Common options");
   add_limit_option(app_, limits_);
+  if (!outputs_.empty()) app_.add_flag("--force", force_, "Replace files of another kind, and read-only ones, too");
   app_.add_flag("--json", json_, "Print the result as JSON");
-  app_.add_flag("--quiet", quiet_, "Print no warnings and no progress");
-  app_.add_flag("--verbose", verbose_, "Say on stderr what is being done");
+  app_.add_flag("-q,--quiet", quiet_, "Print no warnings and no progress");
+  app_.add_flag("-v,--verbose", verbose_, "Say on stderr what is being done");
   app_.set_version_flag(  // CLI11 has read --verbose by then, wherever it stands
-      "--version", [this] { return version_text(name_, verbose_); },
+      "-V,--version", [this] { return version_text(name_, verbose_); },
       "Print the version and exit; with --verbose those of the libraries, too");
   app_.set_help_flag("-h,--help", "Print this help and exit");
   app_.footer("Exit codes: 0 done, 1 the input or the run failed, 2 wrong usage.");
@@ -59,6 +68,17 @@ void Tool::parse() {
   }
   app_.parse(argc_, argv_);
   if (quiet_ && verbose_) throw wrong_usage("--verbose", "excludes --quiet");
+  guard_files();
+}
+
+void Tool::guard_files() {
+  if (force_) files_.force();
+  for (const CLI::Option* option : app_.get_options())
+    if (std::ranges::find(outputs_, option, &decltype(outputs_)::value_type::first) == outputs_.end() &&
+        names_file(*option))
+      for (const std::string& path : option->results()) files_.read(path);
+  for (const auto& [option, kind] : outputs_)
+    for (const std::string& path : option->results()) files_.write(path, kind);
 }
 
 void Tool::warn(std::span<const std::string> warnings) const {

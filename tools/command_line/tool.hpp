@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "command_line/exit_code.hpp"
+#include "command_line/file_guard.hpp"
 #include "command_line/limits.hpp"
 
 namespace uhas::tools {
@@ -21,9 +22,15 @@ class Tool {
   /// The command line, for the options of this tool.
   CLI::App& options() { return app_; }
 
+  /// An option that names a file to write. A tool with one has --force, too.
+  CLI::Option* add_output(const std::string& option, std::string& path, FileKind kind, const std::string& description);
+
   /// Adds --limit, --json, --quiet, --verbose, --version and --help, then reads the command line into the variables the
-  /// options were bound to. Throws CLI::ParseError.
+  /// options were bound to. Throws CLI::ParseError; Error(write_failed) as `FileGuard`.
   void parse();
+
+  /// Has the files that the options name; what is found out later is to be told to it.
+  FileGuard& files() { return files_; }
 
   bool json() const { return json_; }
   bool quiet() const { return quiet_; }
@@ -44,12 +51,16 @@ class Tool {
   static CLI::ParseError wrong_usage(const std::string& option, const std::string& problem);
 
  private:
+  void guard_files();
+
   std::string name_;
   CLI::App app_;
   int argc_;
   char** argv_;
-  bool json_ = false, quiet_ = false, verbose_ = false;
+  bool json_ = false, quiet_ = false, verbose_ = false, force_ = false;
   Limits limits_;
+  std::vector<std::pair<const CLI::Option*, FileKind>> outputs_;
+  FileGuard files_;
 };
 
 /// Runs `body`, which adds its options, parses, does the work and prints. An exception becomes one line on stderr.

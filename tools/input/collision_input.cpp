@@ -4,8 +4,8 @@
 
 namespace uhas::tools {
 
-SelfCollision load_self_collision(const ProfileFile& file, const ModelInput& input) {
-  const std::optional<ModelFile> model = find_models(std::span(&file, 1), input).front();
+SelfCollision load_self_collision(Tool& tool, const ProfileFile& file, const ModelInput& input) {
+  const std::optional<ModelFile> model = find_models(tool, std::span(&file, 1), input).front();
   if (!model)
     throw Error(
         ErrorCode::file_unreadable, file.path,

@@ -8,6 +8,6 @@ namespace uhas::tools {
 
 /// With the meshes of the profile's model. Throws Error: file_unreadable, naming --urdf, when no model is named or
 /// nearby; what `find_models` throws.
-SelfCollision load_self_collision(const ProfileFile& file, const ModelInput& input);
+SelfCollision load_self_collision(Tool& tool, const ProfileFile& file, const ModelInput& input);
 
 }  // namespace uhas::tools

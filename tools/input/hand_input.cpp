@@ -52,7 +52,11 @@ void add_surface_options(CLI::App& app, CorrespondenceOptions& options) {
       ->type_name("N");
 }
 
-BuildStages run_stages(const Tool& tool, HandInput& input, BuildStage last) {
+void read_model_files(Tool& tool, const HandModel& model) {
+  for (const std::string& path : model.source_paths) tool.files().read(path);
+}
+
+BuildStages run_stages(Tool& tool, HandInput& input, BuildStage last) {
   tool.limits().apply_to(input.settings.load);
   if (!input.config_file.empty())
     input.settings.config = read_hand_config(input.config_file, tool.limits().config_bytes);
@@ -61,6 +65,7 @@ BuildStages run_stages(const Tool& tool, HandInput& input, BuildStage last) {
     Progress progress(tool, static_cast<int>(last) + 1);
     stages = run_stages(input.urdf, input.settings, last, [&](const char* stage) { progress.begin(stage); });
   }
+  read_model_files(tool, stages.model);
   tool.warn(stage_warnings(stages));
   return stages;
 }

@@ -27,7 +27,10 @@ void add_lateral_options(CLI::App& app, LateralTableOptions& options);
 /// --samples N and --points-per-link N.
 void add_surface_options(CLI::App& app, CorrespondenceOptions& options);
 
+/// Tells the tool's guard of files which ones `model` was read from.
+void read_model_files(Tool& tool, const HandModel& model);
+
 /// Reads the hand config and runs the stages up to `last`, with progress and warnings on stderr.
-BuildStages run_stages(const Tool& tool, HandInput& input, BuildStage last);
+BuildStages run_stages(Tool& tool, HandInput& input, BuildStage last);
 
 }  // namespace uhas::tools

@@ -63,7 +63,8 @@ HandModel load_model_of(const HandProfile& profile, const std::string& profile_p
   return load_hand_model(urdf, load);
 }
 
-std::vector<std::optional<ModelFile>> find_models(std::span<const ProfileFile> profiles, const ModelInput& input) {
+std::vector<std::optional<ModelFile>> find_models(Tool& tool, std::span<const ProfileFile> profiles,
+                                                  const ModelInput& input) {
   std::vector<std::string> sha256;
   for (const std::string& urdf : input.urdfs) {
     sha256.push_back(sha256_of_urdf(urdf, input.load));
@@ -81,13 +82,14 @@ std::vector<std::optional<ModelFile>> find_models(std::span<const ProfileFile> p
     const std::string urdf = named == sha256.end() ? urdf_nearby(file, input.load)
                                                    : input.urdfs[static_cast<std::size_t>(named - sha256.begin())];
     models.push_back(urdf.empty() ? std::nullopt : std::optional(load_unchanged(file, urdf, input)));
+    if (models.back()) read_model_files(tool, models.back()->model);
   }
   return models;
 }
 
-std::vector<HandGeometry> find_geometries(const Tool& tool, std::span<const ProfileFile> profiles,
-                                          const ModelInput& input, const std::string& loss) {
-  const std::vector<std::optional<ModelFile>> models = find_models(profiles, input);
+std::vector<HandGeometry> find_geometries(Tool& tool, std::span<const ProfileFile> profiles, const ModelInput& input,
+                                          const std::string& loss) {
+  const std::vector<std::optional<ModelFile>> models = find_models(tool, profiles, input);
   std::vector<HandGeometry> geometries;
   for (std::size_t i = 0; i < profiles.size(); ++i) {
     geometries.push_back(models[i] ? hand_geometry(profiles[i].profile, models[i]->model, models[i]->path)

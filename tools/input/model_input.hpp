@@ -39,12 +39,14 @@ HandModel load_model_of(const HandProfile& profile, const std::string& profile_p
 
 /// The model of each profile: of --urdf the file with the profile's SHA-256, else a file of the same name with that
 /// SHA-256 beside the profile or in the current folder, else none. Throws Error: invalid_model for a URDF of --urdf
-/// that no profile was built from, or when meshes have changed; what load_hand_model throws.
-std::vector<std::optional<ModelFile>> find_models(std::span<const ProfileFile> profiles, const ModelInput& input);
+/// that no profile was built from, or when meshes have changed; write_failed when a file of the model is written as well;
+/// what load_hand_model throws.
+std::vector<std::optional<ModelFile>> find_models(Tool& tool, std::span<const ProfileFile> profiles,
+                                                  const ModelInput& input);
 
 /// The meshes of these models; empty ones where there is none, and a warning that says what is lost, for example "the
 /// picture lacks the meshes". Throws as `find_models` and `hand_geometry`.
-std::vector<HandGeometry> find_geometries(const Tool& tool, std::span<const ProfileFile> profiles,
-                                          const ModelInput& input, const std::string& loss);
+std::vector<HandGeometry> find_geometries(Tool& tool, std::span<const ProfileFile> profiles, const ModelInput& input,
+                                          const std::string& loss);
 
 }  // namespace uhas::tools

@@ -4,7 +4,8 @@
 
 namespace uhas::tools {
 
-HandProfile read_profile(const Tool& tool, const std::string& path) {
+HandProfile read_profile(Tool& tool, const std::string& path) {
+  tool.files().read(path);
   return read_untrusted_profile(path, tool.limits().child());
 }
 

@@ -8,7 +8,7 @@
 
 namespace uhas::tools {
 
-/// As `read_untrusted_profile`, within the tool's limits.
-HandProfile read_profile(const Tool& tool, const std::string& path);
+/// As `read_untrusted_profile`, within the tool's limits. Throws Error(write_failed) when it is written as well.
+HandProfile read_profile(Tool& tool, const std::string& path);
 
 }  // namespace uhas::tools

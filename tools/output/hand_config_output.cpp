@@ -5,10 +5,9 @@
 
 namespace uhas::tools {
 
-void add_write_config_option(CLI::App& app, std::string& path) {
-  app.add_option("--write-config", path,
-                 "Also write what was found as a hand config, to be corrected and given to --config")
-      ->type_name("FILE");
+void add_write_config_option(Tool& tool, std::string& path) {
+  tool.add_output("--write-config", path, FileKind::hand_config,
+                  "Also write what was found as a hand config, to be corrected and given to --config");
 }
 
 void write_hand_config(const std::string& path, const BuildStages& stages, const BuildSettings& settings) {

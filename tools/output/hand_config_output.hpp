@@ -9,7 +9,7 @@
 namespace uhas::tools {
 
 /// --write-config FILE.
-void add_write_config_option(CLI::App& app, std::string& path);
+void add_write_config_option(Tool& tool, std::string& path);
 
 /// Writes what was inferred as a complete hand config (schemas/hand-config.schema.json); does nothing for an empty
 /// path. The file appears whole or not at all. Throws Error(write_failed).

@@ -11,16 +11,17 @@
 
 namespace uhas::tools {
 
-void add_picture_options(CLI::App& app, PictureFiles& files) {
-  add_html_option(app, files.html, "Draw the hands, which move by sliders, as a page for any browser, offline");
-  app.add_option("--gltf", files.glb, "Draw the wrapped hand, its sphere and its surface points as binary glTF")
+void add_picture_options(Tool& tool, PictureFiles& files) {
+  add_html_option(tool, files.html, "Draw the hands, which move by sliders, as a page for any browser, offline");
+  tool.add_output("--gltf", files.glb, FileKind::glb,
+                  "Draw the wrapped hand, its sphere and its surface points as binary glTF")
       ->type_name("hand.glb");
-  app.add_option("--ply", files.ply, "Write the surface points with their sphere coordinates as PLY")
+  tool.add_output("--ply", files.ply, FileKind::ply, "Write the surface points with their sphere coordinates as PLY")
       ->type_name("points.ply");
-  app.add_option("--svg", files.svg, "Draw the lateral tables as SVG")->type_name("tables.svg");
+  tool.add_output("--svg", files.svg, FileKind::svg, "Draw the lateral tables as SVG")->type_name("tables.svg");
 }
 
-void write_pictures(const Tool& tool, const PictureFiles& files, std::span<const ProfileFile> profiles,
+void write_pictures(Tool& tool, const PictureFiles& files, std::span<const ProfileFile> profiles,
                     const ModelInput& input) {
   const auto write = [&](const std::string& path, const auto& content) {
     replace_file(path, std::as_bytes(std::span(content)));

@@ -16,11 +16,11 @@ struct PictureFiles {
 };
 
 /// --html, --gltf, --ply and --svg.
-void add_picture_options(CLI::App& app, PictureFiles& files);
+void add_picture_options(Tool& tool, PictureFiles& files);
 
 /// Writes the pictures that are asked for, each whole or not at all, and says so. More than one profile is drawn in
 /// HTML only. Throws Error: write_failed, and what `find_models` throws.
-void write_pictures(const Tool& tool, const PictureFiles& files, std::span<const ProfileFile> profiles,
+void write_pictures(Tool& tool, const PictureFiles& files, std::span<const ProfileFile> profiles,
                     const ModelInput& input);
 
 }  // namespace uhas::tools

@@ -5,8 +5,8 @@
 
 namespace uhas::tools {
 
-void add_html_option(CLI::App& app, std::string& file, const std::string& description) {
-  app.add_option("--html", file, description)->type_name("hand.html")->each([](const std::string&) {
+void add_html_option(Tool& tool, std::string& file, const std::string& description) {
+  tool.add_output("--html", file, FileKind::html, description)->type_name("hand.html")->each([](const std::string&) {
     require_html_report();
   });
 }

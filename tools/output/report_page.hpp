@@ -1,7 +1,6 @@
 // The page that --html asks for, of one hand or several.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,7 +11,7 @@
 namespace uhas::tools {
 
 /// --html, which `description` explains; an Error in a build without the page.
-void add_html_option(CLI::App& app, std::string& file, const std::string& description);
+void add_html_option(Tool& tool, std::string& file, const std::string& description);
 
 /// The hands of a page. `geometries`: one a profile.
 std::vector<ReportHand> report_hands(std::span<const ProfileFile> profiles,

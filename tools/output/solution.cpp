@@ -34,7 +34,7 @@ std::vector<std::string> names_of(const KinematicTree& tree) {
 
 }  // namespace
 
-SolutionMaker::SolutionMaker(ProfileFile file, const SolveOptions& options, const JointSelection& selection,
+SolutionMaker::SolutionMaker(Tool& tool, ProfileFile file, const SolveOptions& options, const JointSelection& selection,
                              const CollisionUse& collision, const ModelInput& model)
     : file_(std::move(file)),
       solver_(file_.profile, options),
@@ -44,7 +44,7 @@ SolutionMaker::SolutionMaker(ProfileFile file, const SolveOptions& options, cons
       q_(names_.size()),
       at_limit_(names_.size()),
       closed_(names_.size()) {
-  if (collision.report || collision.avoid) collision_.emplace(load_self_collision(file_, model));
+  if (collision.report || collision.avoid) collision_.emplace(load_self_collision(tool, file_, model));
   if (collision.avoid) free_solver_.emplace(file_.profile, options, *collision_);
 }
 

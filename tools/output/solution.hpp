@@ -29,7 +29,7 @@ class SolutionMaker {
  public:
   /// Throws Error(invalid_profile) as CascadeSolver, CLI::ParseError when `selection` names what the hand lacks, what
   /// `load_self_collision` throws when that is needed.
-  SolutionMaker(ProfileFile file, const SolveOptions& options, const JointSelection& selection,
+  SolutionMaker(Tool& tool, ProfileFile file, const SolveOptions& options, const JointSelection& selection,
                 const CollisionUse& collision, const ModelInput& model);
 
   const ProfileFile& file() const { return file_; }

@@ -243,7 +243,10 @@ HandModel load_hand_model(const std::string& urdf_path, const ModelLoadOptions& 
     loader.read_mesh_files(links, skeleton_extent(urdf, order), model.warnings);
     for (std::size_t i = 0; i < links.size(); ++i) model.links[i].mesh = loader.surface_of(*links[i]);
   }
-  model.sources = sources.files();
+  for (const LoggedFile& file : sources.files()) {
+    model.sources.push_back(file.source);
+    model.source_paths.push_back(file.path);
+  }
   return model;
 }
 

@@ -33,10 +33,11 @@ struct ModelLink {
 /// children and the order of elements in the file does not matter; joints follow the order of their child links.
 struct HandModel {
   std::string name;
-  std::vector<ModelLink> links;       ///< links[0] is the root
-  KinematicTree tree;                 ///< movable joints; root frame = the root link's frame
-  std::vector<SourceFile> sources;    ///< the URDF first, then each mesh file once, in order of use
-  std::vector<std::string> warnings;  ///< things a user should know, each a sentence
+  std::vector<ModelLink> links;           ///< links[0] is the root
+  KinematicTree tree;                     ///< movable joints; root frame = the root link's frame
+  std::vector<SourceFile> sources;        ///< the URDF first, then each mesh file once, in order of use
+  std::vector<std::string> source_paths;  ///< where each of `sources` was found
+  std::vector<std::string> warnings;      ///< things a user should know, each a sentence
 };
 
 /// Reads a URDF and every mesh it names: STL, OBJ, DAE, PLY, GLB and glTF, and the primitives box, cylinder, sphere and

@@ -19,10 +19,11 @@ uhas-evaluate --help
 #>
 #> Common options:
 #>   --limit NAME=N              Refuse what is larger, for example mesh-bytes=1G; repeatable, uhas(7) has the names
+#>   --force                     Replace files of another kind, and read-only ones, too
 #>   --json                      Print the result as JSON
-#>   --quiet                     Print no warnings and no progress
-#>   --verbose                   Say on stderr what is being done
-#>   --version                   Print the version and exit; with --verbose those of the libraries, too
+#>   -q,--quiet                  Print no warnings and no progress
+#>   -v,--verbose                Say on stderr what is being done
+#>   -V,--version                Print the version and exit; with --verbose those of the libraries, too
 #>   -h,--help                   Print this help and exit
 #>
 #> Exit codes: 0 done, 1 the input or the run failed, 2 wrong usage.

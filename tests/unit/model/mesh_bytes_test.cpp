@@ -12,7 +12,8 @@ ReadMesh two_triangles() {
   ReadMesh read;
   read.mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0.5}};
   read.mesh.triangles = {{0, 1, 2}, {2, 1, 3}};
-  read.sources = {{"hand.urdf", std::string(64, 'a')}, {"meshes/palm.stl", std::string(64, 'b')}};
+  read.sources = {{{"hand.urdf", std::string(64, 'a')}, "/hand/hand.urdf"},
+                  {{"meshes/palm.stl", std::string(64, 'b')}, "/hand/meshes/palm.stl"}};
   return read;
 }
 

@@ -58,9 +58,10 @@ std::vector<std::byte> to_bytes(const ReadMesh& read) {
   std::vector<std::byte> bytes;
   append(bytes, read.mesh.vertices);
   append(bytes, read.mesh.triangles);
-  for (const SourceFile& source : read.sources) {
+  for (const auto& [source, path] : read.sources) {
     append(bytes, source.name);
     append(bytes, source.sha256);
+    append(bytes, path);
   }
   return bytes;
 }
@@ -71,9 +72,10 @@ ReadMesh read_mesh_from_bytes(std::span<const std::byte> bytes, const std::strin
   read.mesh.vertices = reader.list<std::vector<Vector3d>>();
   read.mesh.triangles = reader.list<std::vector<std::array<std::uint32_t, 3>>>();
   while (!reader.at_end()) {
-    SourceFile& source = read.sources.emplace_back();
+    auto& [source, path] = read.sources.emplace_back();
     source.name = reader.list<std::string>();
     source.sha256 = reader.list<std::string>();
+    path = reader.list<std::string>();
   }
   return read;
 }

@@ -7,12 +7,13 @@
 #include <vector>
 
 #include "uhas/model/hand_model.hpp"
+#include "uhas/model/meshes/source_file.hpp"
 
 namespace uhas {
 
 struct ReadMesh {
   TriangleMesh mesh;
-  std::vector<SourceFile> sources;
+  std::vector<LoggedFile> sources;
 };
 
 std::vector<std::byte> to_bytes(const ReadMesh& read);

@@ -11,7 +11,8 @@ void SourceLog::add(const std::filesystem::path& path, const std::string& refere
   const auto full = [](const fs::path& any) { return (fs::current_path() / any).lexically_normal(); };
   const bool is_package = reference.starts_with("package://");
   const std::string name = is_package ? reference : full(path).lexically_relative(full(urdf_folder_)).generic_string();
-  if (std::ranges::find(files_, name, &SourceFile::name) == files_.end()) files_.push_back({name, sha256_hex(bytes)});
+  const auto known = [&](const LoggedFile& file) { return file.source.name == name; };
+  if (std::ranges::none_of(files_, known)) files_.push_back({{name, sha256_hex(bytes)}, path.string()});
 }
 
 }  // namespace uhas

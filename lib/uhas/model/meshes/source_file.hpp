@@ -12,6 +12,13 @@
 
 namespace uhas {
 
+struct LoggedFile {
+  SourceFile source;
+  std::string path;  ///< where it was found
+
+  bool operator==(const LoggedFile&) const = default;
+};
+
 /// The files a model was read from, each once, in order of use.
 class SourceLog {
  public:
@@ -22,14 +29,14 @@ class SourceLog {
   ///                   `path` relative to the URDF's folder
   void add(const std::filesystem::path& path, const std::string& reference, std::span<const std::byte> bytes);
 
-  const std::vector<SourceFile>& files() const { return files_; }
+  const std::vector<LoggedFile>& files() const { return files_; }
 
   /// The log that a child process has kept on, instead.
-  void replace(std::vector<SourceFile> files) { files_ = std::move(files); }
+  void replace(std::vector<LoggedFile> files) { files_ = std::move(files); }
 
  private:
   std::filesystem::path urdf_folder_;
-  std::vector<SourceFile> files_;
+  std::vector<LoggedFile> files_;
 };
 
 }  // namespace uhas

@@ -47,7 +47,7 @@ def killed_at_random_moments(folder, good):
     while killed < KILLS:
         tried += 1
         assert tried < 10 * KILLS, f"only {killed} of {tried} builds were still running when they were killed"
-        old = b"an old profile" if tried % 2 else None
+        old = b"uhas-hand-profile, an old one" if tried % 2 else None
         if old:
             (folder / "hand.h5").write_bytes(old)
         process = build(folder)
@@ -81,11 +81,11 @@ def interrupted_writes(folder, good):
         signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
         resource.setrlimit(resource.RLIMIT_FSIZE, (100_000, 100_000))
 
-    (folder / "hand.h5").write_bytes(b"an old profile")
+    (folder / "hand.h5").write_bytes(b"uhas-hand-profile, an old one")
     code, stderr = finish(build(folder, preexec_fn=bound))
     assert code == 1 and stderr == ("uhas-build-profile: error: hand.h5: cannot be written: File too large; "
                                     "check the folder, its permissions and the free space\n"), (code, stderr)
-    assert (folder / "hand.h5").read_bytes() == b"an old profile" and names(folder) == ["hand.h5"]
+    assert (folder / "hand.h5").read_bytes() == b"uhas-hand-profile, an old one" and names(folder) == ["hand.h5"]
     print("ok      a write that fails half way")
 
 
@@ -105,11 +105,11 @@ def full_disk(folder, good):
         if not is_mounted:
             print("SKIPPED: full disk: no file system can be mounted here")
             return
-        (folder / "hand.h5").write_bytes(b"an old profile")
+        (folder / "hand.h5").write_bytes(b"uhas-hand-profile, an old one")
         code, stderr = finish(build(folder))
         assert code == 1 and stderr == ("uhas-build-profile: error: hand.h5: cannot be written: No space left on device; "
                                         "check the folder, its permissions and the free space\n"), (code, stderr)
-        assert (folder / "hand.h5").read_bytes() == b"an old profile" and names(folder) == ["hand.h5"]
+        assert (folder / "hand.h5").read_bytes() == b"uhas-hand-profile, an old one" and names(folder) == ["hand.h5"]
     print("ok      a full disk")
 
 

@@ -164,16 +164,14 @@ SquaredErrors squared_errors(const PointColumns<LaneReal<Wide>>& columns, const 
   Wide all(0), weight(0);
   PointsSideBySide<Wide>(columns, profile).each_set([&](std::size_t count, const auto& point_at, const auto& spread) {
     Wide set(0), set_weight(0);
-    with_constant(spread.vectors, [&](auto vectors) {
-      for (std::size_t k = 0; k < count; ++k) {
-        const PointNumbers<Wide> point = point_at(k);
-        const auto radial = spread.at(point.phi, vectors);
-        const Wide share = point.weight * open_share<Wide>(radial, closing);
-        const Vector3<Wide> error = frame * point.p - max(point.rho + radial.delta_r, Wide(0)) * point.direction;
-        set += share * dot(error, error);
-        set_weight += share;
-      }
-    });
+    for (std::size_t k = 0; k < count; ++k) {
+      const PointNumbers<Wide> point = point_at(k);
+      const auto radial = spread.at(point.phi);
+      const Wide share = point.weight * open_share<Wide>(radial, closing);
+      const Vector3<Wide> error = frame * point.p - max(point.rho + radial.delta_r, Wide(0)) * point.direction;
+      set += share * dot(error, error);
+      set_weight += share;
+    }
     all += set, weight += set_weight;
   });
   return {double(sum(all)), double(sum(weight))};
